@@ -1,0 +1,8 @@
+// The Python extension module: one register function for each subject.
+#include "bind/module.hpp"
+#include "bind/convert.hpp"
+
+NB_MODULE(_core, module) {
+    module.doc() = "EvilEngine's C++ core. Use evilengine, its public face.";
+    evil::bind::load_python_types();
+}

@@ -1,0 +1,47 @@
+#pragma once
+// What the scene hands to a renderer: geometry that is shared, and one instance for each thing to draw, back to front.
+// A renderer reads this and nothing else of the engine.
+#include "math/transform.hpp"
+#include <cstdint>
+#include <vector>
+
+namespace evil::draw {
+
+using Rgba8 = std::uint32_t; // 0xAABBGGRR: bytes r, g, b, a in memory; straight alpha, sRGB
+
+struct Vertex { // local coordinates; texture coordinates 0..1 with v down, as images are stored
+    Vec2 at;
+    Vec2 uv;
+    Rgba8 colour = 0xffffffffu; // multiplied with the instance's tint and the texture
+};
+
+enum class MeshKind : std::uint8_t { polygon, circle };
+
+// A simple polygon (its corners in counter-clockwise order, and its triangles) or a circle round vertices[first_vertex].
+struct Mesh {
+    MeshKind kind = MeshKind::polygon;
+    bool coloured_corners = false; // false: every corner is white, so a renderer can fill flat
+    std::uint32_t first_vertex = 0, vertex_count = 0;
+    std::uint32_t first_index = 0, index_count = 0; // triangles, relative to first_vertex; none for a circle
+    float radius = 0.0f;                            // circle; texture coordinates span its bounding square
+};
+
+inline constexpr std::uint32_t kNoTexture = 0;
+
+struct Instance {
+    Affine to_pixel;               // mesh coordinates to target pixels (x right, y down, pixel centres at .5)
+    Affine to_texture;             // applied to the vertices' texture coordinates (the texture matrix)
+    std::uint32_t mesh = 0;        // index into meshes
+    std::uint32_t texture = kNoTexture; // id given out by the renderer's texture table
+    Rgba8 tint = 0xffffffffu;
+    float outline = 0.0f;          // 0: filled; otherwise only a stroke of this many pixels, centred on the edge
+};
+
+struct DrawList {
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    std::vector<Mesh> meshes;
+    std::vector<Instance> instances; // sorted: layer, then order of creation
+};
+
+} // namespace evil::draw
