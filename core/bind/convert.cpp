@@ -12,7 +12,7 @@ static_assert(std::size(kErrorNames) == static_cast<std::size_t>(ErrorKind::coun
 PyTypeObject* vec2_type = nullptr;
 PyObject* error_types[static_cast<std::size_t>(ErrorKind::count_)] = {};
 
-std::string repr(nb::handle value) { return nb::cast<std::string>(nb::repr(value)); }
+std::string text_of(nb::handle value) { return nb::cast<std::string>(nb::repr(value)); }
 
 bool to_double(nb::handle value, double& out) {
     out = PyFloat_AsDouble(value.ptr());
@@ -26,7 +26,7 @@ bool to_double(nb::handle value, double& out) {
 }
 
 [[noreturn]] void raise_not_finite(nb::handle value, const char* owner, const char* argument) {
-    raise(ErrorKind::argument, std::string(owner) + ": " + argument + "=" + repr(value) +
+    raise(ErrorKind::argument, std::string(owner) + ": " + argument + "=" + text_of(value) +
                                    " must be finite and below 1e38; NaN or infinity came in");
 }
 
@@ -34,9 +34,9 @@ bool to_double(nb::handle value, double& out) {
 
 void load_python_types() {
     nb::object errors = nb::module_::import_("evilengine.values.errors");
-    for (std::size_t i = 0; i < std::size(kErrorNames); ++i) error_types[i] = errors.attr(kErrorNames[i]).release().ptr();
-    vec2_type = reinterpret_cast<PyTypeObject*>(
-        nb::module_::import_("evilengine.values.vec2").attr("Vec2").release().ptr());
+    for (std::size_t i = 0; i < std::size(kErrorNames); ++i) error_types[i] = nb::object(errors.attr(kErrorNames[i])).release().ptr();
+    nb::object vec2 = nb::module_::import_("evilengine.values.vec2").attr("Vec2");
+    vec2_type = reinterpret_cast<PyTypeObject*>(vec2.release().ptr());
 }
 
 void raise(ErrorKind kind, const std::string& message) {
@@ -47,7 +47,7 @@ void raise(ErrorKind kind, const std::string& message) {
 float to_float(nb::handle value, const char* owner, const char* argument) {
     double number = 0.0;
     if (!to_double(value, number))
-        raise(ErrorKind::argument_type, std::string(owner) + ": " + argument + "=" + repr(value) + " must be a number");
+        raise(ErrorKind::argument_type, std::string(owner) + ": " + argument + "=" + text_of(value) + " must be a number");
     float result = static_cast<float>(number);
     if (!std::isfinite(result)) raise_not_finite(value, owner, argument);
     return result;
@@ -65,7 +65,7 @@ Vec2 to_vec2(nb::handle value, const char* owner, const char* argument) {
     }
     PyErr_Clear();
     if (!ok)
-        raise(ErrorKind::argument_type, std::string(owner) + ": " + argument + "=" + repr(value) +
+        raise(ErrorKind::argument_type, std::string(owner) + ": " + argument + "=" + text_of(value) +
                                             " must be a point, a pair of numbers such as (0, 1)");
     Vec2 result{static_cast<float>(x), static_cast<float>(y)};
     if (!is_finite(result)) raise_not_finite(value, owner, argument);
