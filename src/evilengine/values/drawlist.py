@@ -1,0 +1,21 @@
+"""DrawList: one frame ready to draw, what the scene hands to a renderer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from evilengine import _core
+
+
+@dataclass(frozen=True, slots=True)
+class DrawList:
+    """One frame, ready to draw: instances sorted back to front, in target pixels."""
+
+    size: tuple[int, int]
+    """Width and height of the target in real pixels."""
+    background: int
+    """Colour that the frame starts from, as 0xAABBGGRR."""
+    content: _core.DrawList
+    """Meshes and instances; see core/draw/draw_list.hpp."""
