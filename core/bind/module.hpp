@@ -5,3 +5,9 @@
 #include <string>
 
 namespace nb = nanobind;
+
+namespace evil::bind {
+
+void register_math(nb::module_& module);
+
+} // namespace evil::bind
