@@ -9,5 +9,6 @@ namespace nb = nanobind;
 namespace evil::bind {
 
 void register_math(nb::module_& module);
+void register_draw_list(nb::module_& module);
 
 } // namespace evil::bind

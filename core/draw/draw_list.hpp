@@ -3,6 +3,7 @@
 // A renderer reads this and nothing else of the engine.
 #include "math/transform.hpp"
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace evil::draw {
@@ -29,12 +30,12 @@ struct Mesh {
 inline constexpr std::uint32_t kNoTexture = 0;
 
 struct Instance {
-    Affine to_pixel;               // mesh coordinates to target pixels (x right, y down, pixel centres at .5)
-    Affine to_texture;             // applied to the vertices' texture coordinates (the texture matrix)
-    std::uint32_t mesh = 0;        // index into meshes
+    Affine to_pixel;                    // mesh coordinates to target pixels (x right, y down, pixel centres at .5)
+    Affine to_texture;                  // applied to the vertices' texture coordinates (the texture matrix)
+    std::uint32_t mesh = 0;             // index into meshes
     std::uint32_t texture = kNoTexture; // id given out by the renderer's texture table
     Rgba8 tint = 0xffffffffu;
-    float outline = 0.0f;          // 0: filled; otherwise only a stroke of this many pixels, centred on the edge
+    float outline = 0.0f; // 0: filled; otherwise only a stroke of this many pixels, centred on the edge
 };
 
 struct DrawList {
@@ -43,5 +44,40 @@ struct DrawList {
     std::vector<Mesh> meshes;
     std::vector<Instance> instances; // sorted: layer, then order of creation
 };
+
+inline void clear(DrawList& list) { // keeps the memory for the next frame
+    list.vertices.clear();
+    list.indices.clear();
+    list.meshes.clear();
+    list.instances.clear();
+}
+
+// Adds a polygon and returns its mesh's index. `triangles` holds indices into `corners`.
+inline std::uint32_t add_polygon(DrawList& list, std::span<const Vertex> corners,
+                                 std::span<const std::uint32_t> triangles) {
+    Mesh mesh;
+    mesh.first_vertex = static_cast<std::uint32_t>(list.vertices.size());
+    mesh.vertex_count = static_cast<std::uint32_t>(corners.size());
+    mesh.first_index = static_cast<std::uint32_t>(list.indices.size());
+    mesh.index_count = static_cast<std::uint32_t>(triangles.size());
+    for (const Vertex& corner : corners) mesh.coloured_corners |= corner.colour != 0xffffffffu;
+    list.vertices.insert(list.vertices.end(), corners.begin(), corners.end());
+    list.indices.insert(list.indices.end(), triangles.begin(), triangles.end());
+    list.meshes.push_back(mesh);
+    return static_cast<std::uint32_t>(list.meshes.size() - 1);
+}
+
+// Adds a circle round `centre` and returns its mesh's index. The centre's colour holds for all of it.
+inline std::uint32_t add_circle(DrawList& list, const Vertex& centre, float radius) {
+    Mesh mesh;
+    mesh.kind = MeshKind::circle;
+    mesh.coloured_corners = centre.colour != 0xffffffffu;
+    mesh.first_vertex = static_cast<std::uint32_t>(list.vertices.size());
+    mesh.vertex_count = 1;
+    mesh.radius = radius;
+    list.vertices.push_back(centre);
+    list.meshes.push_back(mesh);
+    return static_cast<std::uint32_t>(list.meshes.size() - 1);
+}
 
 } // namespace evil::draw
