@@ -2,29 +2,39 @@
 """One command for each chore of a developer. Run it with the Python of your virtual environment.
 
 python tools/dev.py setup      install what development needs, then build
-python tools/dev.py build      compile the core into src/evilengine
+python tools/dev.py build      compile the core into src/evilengine and write its type stubs
 python tools/dev.py test       build, then run pytest with the arguments that follow
 python tools/dev.py format     format Python and C++
-python tools/dev.py lint       check format, style and types; changes nothing
+python tools/dev.py lint       check format, style, types and stubs; changes nothing
+python tools/dev.py sanitize   run the core's tests with AddressSanitizer and UndefinedBehaviorSanitizer
 """
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 import sys
 import sysconfig
+import tempfile
+import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGE = ROOT / "src" / "evilengine"
+STUBS = PACKAGE / "_core.pyi"
 BUILD = ROOT / "build" / "dev"
+SANITIZED = ROOT / "build" / "sanitize"
 CPP = [str(path) for suffix in ("hpp", "cpp") for path in sorted((ROOT / "core").rglob(f"*.{suffix}"))]
 
+# Tests that start processes or open windows: they say nothing about the core, and a sanitizer would watch SDL instead.
+NOT_THE_CORE = ("test_architecture.py", "test_cli.py", "test_docs.py", "test_examples.py", "test_import.py",
+                "test_play.py", "test_stubs.py", "test_window.py")  # fmt: skip
 
-def run(*command: str | Path) -> None:
+
+def run(*command: str | Path, **environment: str) -> None:
     print("+", " ".join(str(part) for part in command), flush=True)
-    if subprocess.run([str(part) for part in command], cwd=ROOT).returncode:
+    if subprocess.run([str(part) for part in command], cwd=ROOT, env=os.environ | environment).returncode:
         sys.exit(1)
 
 
@@ -33,51 +43,48 @@ def tool(name: str) -> str:
     return shutil.which(name, path=str(Path(sys.executable).parent)) or shutil.which(name) or name
 
 
-def setup() -> None:
+def requirements() -> list[str]:
+    """What the engine, its tests and its developers need, as pyproject.toml lists it."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    listed = project["dependencies"] + [one for extra in project["optional-dependencies"].values() for one in extra]
+    return [requirement for requirement in listed if not requirement.startswith(project["name"])]
+
+
+def compile_core(folder: Path, *options: str) -> list[Path]:
+    """Build the extension in `folder`; where the finished module lies."""
     run(
-        sys.executable,
-        "-m",
-        "pip",
-        "install",
-        "-q",
-        "nanobind>=2.10,<3",
-        "cmake>=3.26,<5",
-        "ninja>=1.11,<2",
-        "ruff>=0.9,<1",
-        "mypy>=1.14,<3",
-        "clang-format>=19,<23",
-        "pytest>=8,<10",
-        "hypothesis>=6.100,<7",
-        "numpy>=1.26,<3",
-        "PySDL2>=0.9.16,<0.10",
-        "pysdl2-dll>=2.28,<3",
-        "Pillow>=10.1,<14",
+        *(tool("cmake"), "-S", ".", "-B", folder, "-G", "Ninja", "--log-level=WARNING"),
+        *(f"-DPython_EXECUTABLE={sys.executable}", f"-DCMAKE_MAKE_PROGRAM={tool('ninja')}"),
+        *("-DEVIL_WERROR=ON", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", *options),
     )
+    run(tool("cmake"), "--build", folder)
+    return [*folder.glob("_core*.so"), *folder.glob("_core*.pyd")]
+
+
+def setup() -> None:
+    run(sys.executable, "-m", "pip", "install", "-q", *requirements())
     Path(sysconfig.get_paths()["purelib"], "evilengine-dev.pth").write_text(f"{ROOT / 'src'}\n")
     build()
 
 
 def build() -> None:
-    run(
-        tool("cmake"),
-        "-S",
-        ".",
-        "-B",
-        BUILD,
-        "-G",
-        "Ninja",
-        f"-DPython_EXECUTABLE={sys.executable}",
-        f"-DCMAKE_MAKE_PROGRAM={tool('ninja')}",
-        "-DCMAKE_BUILD_TYPE=Release",
-        "-DEVIL_WERROR=ON",
-        "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
-        "--log-level=WARNING",
-    )
-    run(tool("cmake"), "--build", BUILD)
-    for library in (*BUILD.glob("_core*.so"), *BUILD.glob("_core*.pyd")):
+    for library in compile_core(BUILD, "-DCMAKE_BUILD_TYPE=Release"):
         temporary = PACKAGE / (library.name + ".new")
         shutil.copy2(library, temporary)
         temporary.replace(PACKAGE / library.name)  # a running process keeps the old one
+    write_stubs(STUBS)
+
+
+def write_stubs(file: Path) -> None:
+    run(sys.executable, "-m", "nanobind.stubgen", "-q", "-m", "evilengine._core", "-o", file)
+
+
+def check_stubs() -> None:
+    with tempfile.TemporaryDirectory() as folder:
+        fresh = Path(folder, "_core.pyi")
+        write_stubs(fresh)
+        if fresh.read_text() != STUBS.read_text():
+            sys.exit(f"{STUBS.relative_to(ROOT)} is not what the built core says: run tools/dev.py build, commit it")
 
 
 def test(*arguments: str) -> None:
@@ -86,7 +93,7 @@ def test(*arguments: str) -> None:
 
 
 def format() -> None:
-    run(tool("ruff"), "check", "--fix", "-q", ".")
+    run(tool("ruff"), "check", "--fix", "--exit-zero", "-q", ".")
     run(tool("ruff"), "format", "-q", ".")
     run(tool("clang-format"), "-i", *CPP)
 
@@ -96,11 +103,43 @@ def lint() -> None:
     run(tool("ruff"), "format", "--check", ".")
     run(tool("clang-format"), "--dry-run", "--Werror", *CPP)
     run(sys.executable, "-m", "mypy")
+    check_stubs()
 
 
-CHORES = {"setup": setup, "build": build, "test": test, "format": format, "lint": lint}
+def sanitize(*arguments: str) -> None:
+    """A second copy of the package, beside the build, holds the watched module: the normal one stays as it is."""
+    libraries = compile_core(
+        SANITIZED, "-DEVIL_SANITIZE=ON", "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O1 -D_GLIBCXX_ASSERTIONS"
+    )
+    site = SANITIZED / "site"
+    shutil.rmtree(site, ignore_errors=True)
+    shutil.copytree(PACKAGE, site / "evilengine", ignore=shutil.ignore_patterns("*.so", "*.pyd", "__pycache__"))
+    for library in libraries:
+        shutil.copy2(library, site / "evilengine")
+
+    # Python itself is not watched, so the sanitizers must be there before it; libstdc++ too, or they miss exceptions.
+    compiler = os.environ.get("CXX", "c++")
+    watchers = [
+        subprocess.check_output([compiler, f"-print-file-name={name}"], text=True).strip()
+        for name in ("libasan.so", "libubsan.so", "libstdc++.so")
+    ]
+    ignored = [f"--ignore=tests/{name}" for name in NOT_THE_CORE if (ROOT / "tests" / name).exists()]
+    run(
+        *(sys.executable, "-m", "pytest", "-p", "no:cacheprovider", *ignored, *arguments),
+        PYTHONPATH=str(site),
+        PYTHONMALLOC="malloc",  # every allocation of its own, so that a read past its end is seen
+        LD_PRELOAD=" ".join(watchers),
+        ASAN_OPTIONS="detect_leaks=0:strict_string_checks=1:detect_stack_use_after_return=1",  # Python leaks at exit
+        UBSAN_OPTIONS="print_stacktrace=1:halt_on_error=1",
+        EVIL_SANITIZED="1",
+    )
+
+
+CHORES = {"setup": setup, "build": build, "test": test, "format": format, "lint": lint, "sanitize": sanitize}
 
 if __name__ == "__main__":
     if len(sys.argv) < 2 or sys.argv[1] not in CHORES:
         sys.exit(__doc__)
+    if sys.prefix == sys.base_prefix:
+        sys.exit("make a virtual environment first: python3 -m venv .venv && . .venv/bin/activate")
     CHORES[sys.argv[1]](*sys.argv[2:])

@@ -1,4 +1,4 @@
-"""Checks at the public door: each returns the value it was given in its proper type, or raises an error that names it."""
+"""Checks at the public door: each returns the value given, in its proper type, or raises an error that names it."""
 
 from __future__ import annotations
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TypeAlias
+from typing import TypeAlias, cast
 
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
 
@@ -151,7 +151,7 @@ def to_vec2(value: object, owner: str, argument: str) -> Vec2:
     if type(value) is Vec2 and math.isfinite(value[0]) and math.isfinite(value[1]):
         return value
     try:
-        x, y = value  # type: ignore[misc]
+        x, y = cast("tuple[float, float]", value)
         point = Vec2(float(x), float(y))
     except (TypeError, ValueError):
         raise ArgumentTypeError(

@@ -1,0 +1,30 @@
+"""`import evilengine` is quick, and loads nothing that a game may never need."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import time
+
+MOST = 0.100  # seconds beyond bare Python: what a person does not notice when a script starts
+
+
+def seconds(code: str) -> float:
+    start = time.perf_counter()
+    subprocess.run([sys.executable, "-c", code], check=True)
+    return time.perf_counter() - start
+
+
+def test_the_engine_imports_in_under_a_tenth_of_a_second() -> None:
+    seconds("import evilengine")  # writes the bytecode
+    bare = min(seconds("pass") for _ in range(5))
+    best = min(seconds("import evilengine") for _ in range(5)) - bare
+    print(f"import evilengine: {best * 1000:.0f} ms beyond bare Python's {bare * 1000:.0f} ms")
+    assert best < MOST
+
+
+def test_import_loads_no_numpy_no_window_and_no_images() -> None:
+    heavy = {"numpy", "sdl2", "sdl2dll", "PIL", "asyncio", "unittest"}
+    code = f"import evilengine, sys; print(*({heavy!r} & sys.modules.keys()))"
+    done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
+    assert done.stdout.split() == []
