@@ -6,6 +6,11 @@ argument, the value, what is allowed, and the likely fix.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from evilengine.values.level import Diagnostic
+
 
 class Error(Exception):
     """Root of all errors that the engine raises."""
@@ -33,6 +38,10 @@ class SnapshotError(Error, ValueError):
 
 class LevelError(Error, ValueError):
     """A level script with errors; `.errors` lists them all."""
+
+    def __init__(self, message: str = "", errors: tuple[Diagnostic, ...] = ()) -> None:
+        super().__init__(message)
+        self.errors = errors
 
 
 class AssetError(Error, OSError):

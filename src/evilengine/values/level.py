@@ -1,0 +1,386 @@
+"""What a level script turns into: commands for a game to carry out, or diagnostics for a person to read.
+
+Commands speak the engine's own units and words (metres, radians, `restitution=`), so that carrying one out is a call.
+A number in them is a float, or a name or formula whose value is known only while the level plays.
+"""
+
+from __future__ import annotations
+
+import unicodedata
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from evilengine.values.errors import LevelError
+
+CARET_WINDOW = 100  # characters of a source line shown round the caret; longer lines are cut with "..."
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnostic:
+    """One error in a level: where it is, what is wrong, and what would mend it.
+
+    `line` and `column` count from 1, in characters; `length` is how many characters are wrong.
+    """
+
+    code: str
+    message: str
+    file: str
+    line: int
+    column: int
+    length: int = 1
+    suggestion: str = ""
+    source: str = ""
+    """The source line, for showing."""
+
+    @property
+    def headline(self) -> str:
+        """`file:line:col: error[code]: message`"""
+        return f"{self.file}:{self.line}:{self.column}: error[{self.code}]: {self.message}"
+
+    def __str__(self) -> str:
+        lines = [self.headline]
+        if self.source.strip() or self.line > 0:
+            lines += _pointed_out(self.source, self.column, self.length)
+        if self.suggestion:
+            lines.append(f"    {self.suggestion}")
+        return "\n".join(lines)
+
+    def as_dict(self) -> dict[str, str | int]:
+        """The fields for JSON."""
+        return {
+            "file": self.file,
+            "line": self.line,
+            "column": self.column,
+            "length": self.length,
+            "severity": "error",
+            "code": self.code,
+            "message": self.message,
+            "suggestion": self.suggestion,
+        }
+
+
+def _pointed_out(source: str, column: int, length: int) -> list[str]:
+    """The source line and carets below it; tabs stay tabs and wide letters count twice, so that they align."""
+    start = max(0, column - 1 - CARET_WINDOW // 2)
+    end = min(len(source), start + CARET_WINDOW)
+    shown = "".join(letter if letter.isprintable() or letter == "\t" else "?" for letter in source[start:end])
+    before = "..." if start > 0 else ""
+    after = "..." if end < len(source) else ""
+    at = column - 1 - start
+    under = "".join("\t" if letter == "\t" else " " * _cells(letter) for letter in shown[:at])
+    marked = sum(_cells(letter) for letter in shown[at : at + length])
+    carets = "^" * max(1, marked)
+    return [f"    {before}{shown}{after}", f"    {' ' * len(before)}{under}{carets}"]
+
+
+def _cells(letter: str) -> int:
+    """How many columns of a terminal a letter fills."""
+    if unicodedata.combining(letter):
+        return 0
+    return 2 if unicodedata.east_asian_width(letter) in "WF" else 1
+
+
+def level_error(diagnostics: tuple[Diagnostic, ...]) -> LevelError:
+    """The error to raise for a level with these diagnostics: its message shows them all, its `.errors` holds them."""
+    return LevelError("\n".join(str(each) for each in diagnostics), diagnostics)
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where in a level file something is written. Line and column count from 1."""
+
+    line: int
+    column: int
+    length: int = 1
+
+
+# Numbers that are known while the level plays ------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Name:
+    """The present value of a counter or of a number made by `let`."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """A function of other numbers: `add`, `random`, `radians`, ... (script/arithmetic.py has them all)."""
+
+    function: str
+    arguments: tuple[Number, ...]
+    place: Place
+
+
+Number: TypeAlias = float | Name | Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """A point or a direction."""
+
+    x: Number
+    y: Number
+
+
+@dataclass(frozen=True, slots=True)
+class Called:
+    """The body, force or text that a level calls by this name; `this` and `other` inside an event."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Corners:
+    """The corners of a polygon or triangle, in the body's own coordinates."""
+
+    points: tuple[Pair, ...]
+
+
+Value: TypeAlias = Number | Pair | Corners | Called | str | bool | int | tuple[float, float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Option:
+    """`name=value` of a call."""
+
+    name: str
+    value: Value
+
+
+@dataclass(frozen=True, slots=True)
+class Make:
+    """A value of the engine: `evil.<type>(*arguments, **options)`."""
+
+    type: str
+    arguments: tuple[Value, ...] = ()
+    options: tuple[Option, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Tagged:
+    """Every body that carries this tag, also those made later."""
+
+    tag: str
+
+
+Target: TypeAlias = Called | Tagged
+
+
+# Commands ------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class SetGravity:
+    place: Place
+    gravity: Pair
+
+
+@dataclass(frozen=True, slots=True)
+class SetView:
+    """The camera shows an area of this size round the origin, in metres."""
+
+    place: Place
+    width: float
+    height: float
+
+
+@dataclass(frozen=True, slots=True)
+class SetTilt:
+    place: Place
+    on: bool
+
+
+@dataclass(frozen=True, slots=True)
+class SetBackground:
+    """A colour, or a picture's file name."""
+
+    place: Place
+    colour: str = ""
+    picture: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class SetSeed:
+    place: Place
+    seed: int
+
+
+@dataclass(frozen=True, slots=True)
+class AddBody:
+    """A body: `shapes` are pairs of a shape and its offset, `options` go to `game.add`."""
+
+    place: Place
+    name: str
+    shapes: tuple[tuple[Make, Pair], ...]
+    options: tuple[Option, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class AddForce:
+    """A force on `bodies`; on none of them, on the whole world."""
+
+    place: Place
+    name: str
+    force: Make
+    bodies: tuple[Called, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class AddText:
+    """A line of text at a point of the screen; `pieces` alternate between fixed text and numbers."""
+
+    place: Place
+    name: str
+    pieces: tuple[str | Number, ...]
+    options: tuple[Option, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Let:
+    """Makes a number that the level can change."""
+
+    place: Place
+    name: str
+    value: Number
+
+
+@dataclass(frozen=True, slots=True)
+class SetNumber:
+    place: Place
+    name: str
+    value: Number
+
+
+@dataclass(frozen=True, slots=True)
+class SetProperty:
+    """Changes `property` of what is called `target`; nothing, when that is gone."""
+
+    place: Place
+    target: Called
+    property: str
+    value: Value
+
+
+@dataclass(frozen=True, slots=True)
+class Destroy:
+    """Destroys what is called `target`; nothing, when that is gone."""
+
+    place: Place
+    target: Called
+
+
+@dataclass(frozen=True, slots=True)
+class Impulse:
+    place: Place
+    target: Called
+    impulse: Pair
+
+
+@dataclass(frozen=True, slots=True)
+class OnContact:
+    """When contact of `first` with `second` (None: with anything) begins, or ends."""
+
+    place: Place
+    begins: bool
+    first: Target
+    second: Target | None
+    block: Block
+
+
+@dataclass(frozen=True, slots=True)
+class OnTouch:
+    place: Place
+    first: Target
+    block: Block
+
+
+@dataclass(frozen=True, slots=True)
+class OnKey:
+    place: Place
+    key: str
+    block: Block
+
+
+@dataclass(frozen=True, slots=True)
+class OnShake:
+    place: Place
+    block: Block
+
+
+@dataclass(frozen=True, slots=True)
+class After:
+    place: Place
+    seconds: Number
+    block: Block
+
+
+@dataclass(frozen=True, slots=True)
+class Every:
+    """A round each `seconds`, `times` rounds (None: without end); `counter` is 1 in the first."""
+
+    place: Place
+    seconds: Number
+    times: Number | None
+    counter: str
+    block: Block
+
+
+@dataclass(frozen=True, slots=True)
+class Repeat:
+    place: Place
+    times: Number
+    counter: str
+    block: Block
+
+
+@dataclass(frozen=True, slots=True)
+class If:
+    place: Place
+    condition: Number
+    then: Block
+    otherwise: Block
+
+
+Command: TypeAlias = (
+    SetGravity
+    | SetView
+    | SetTilt
+    | SetBackground
+    | SetSeed
+    | AddBody
+    | AddForce
+    | AddText
+    | Let
+    | SetNumber
+    | SetProperty
+    | Destroy
+    | Impulse
+    | OnContact
+    | OnTouch
+    | OnKey
+    | OnShake
+    | After
+    | Every
+    | Repeat
+    | If
+)
+Block: TypeAlias = tuple[Command, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class LevelScript:
+    """A level without errors, ready to be carried out. `folder` is where its pictures are found ("" for none)."""
+
+    file: str
+    folder: str
+    commands: Block
+    version: int = 1
+    lines: tuple[str, ...] = ()
+    """The source, for showing where something went wrong while the level plays."""
+
+    def diagnostic(self, code: str, message: str, place: Place, suggestion: str = "") -> Diagnostic:
+        """A diagnostic at `place` of this level."""
+        source = self.lines[place.line - 1] if 0 < place.line <= len(self.lines) else ""
+        return Diagnostic(code, message, self.file, place.line, place.column, place.length, suggestion, source)
