@@ -47,9 +47,7 @@ constexpr double kExp[] = {
     1.0 / 5040, 1.0 / 40320, 1.0 / 362880, 1.0 / 3628800, 1.0 / 39916800, 1.0 / 479001600, 1.0 / 6227020800};
 
 // 2^n for n in -1022..1023, from the bits of its exponent.
-double two_to(int n) {
-    return std::bit_cast<double>(static_cast<std::uint64_t>(n + 1023) << 52);
-}
+double two_to(int n) { return std::bit_cast<double>(static_cast<std::uint64_t>(n + 1023) << 52); }
 
 // atan t for 0 <= t <= 1.
 double atan_of_ratio(double t) {
