@@ -168,7 +168,7 @@ class ResizeEvent:
 
 @dataclass(frozen=True, slots=True)
 class FocusEvent:
-    """The window got or lost the player's attention. Losing it lets go of every key, button and finger."""
+    """The window got or lost the player's attention. Losing it lets go of every key, button, stick and finger."""
 
     focused: bool
 

@@ -76,7 +76,7 @@ class Touch:
 
 @dataclass(frozen=True, slots=True)
 class Pointer:
-    """The mouse: where it is, where it was a step ago, and its buttons: "left", "middle", "right", "back", "forward"."""
+    """The mouse: where it is, where it was, and its buttons: "left", "middle", "right", "back", "forward"."""
 
     at: Vec2 = NOWHERE
     """In the world, metres."""
