@@ -71,7 +71,7 @@ class HeadlessDevice:
         self._keys: list[str] = []
         self._buttons: list[str] = []
         self._pads: dict[int, list[str]] = {}
-        self._pointer = Vec2(self._size[0] / 2, self._size[1] / 2)
+        self._pointer: Vec2 | None = None  # nobody has touched the mouse yet
 
     @property
     def size(self) -> tuple[int, int]:
@@ -184,7 +184,8 @@ class HeadlessDevice:
             raise ArgumentTypeError(f"{owner}: needs at=(x, y), or button= with down=, or all three")
         if (button is None) != (down is None):
             raise ArgumentTypeError(f"{owner}: button= and down= go together: pointer(button='left', down=True)")
-        place = self._pointer if at is None else self._place(at, owner)
+        middle = Vec2(self._size[0] / 2, self._size[1] / 2)
+        place = self._place(at, owner) if at is not None else self._pointer or middle
         if button is not None:
             one_of(button, owner, "button", POINTER_BUTTONS)
         if place != self._pointer:
