@@ -7,4 +7,5 @@ NB_MODULE(_core, module) {
     evil::bind::load_python_types();
     evil::bind::register_math(module);
     evil::bind::register_draw_list(module);
+    evil::bind::register_raster(module);
 }

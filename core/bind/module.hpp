@@ -10,5 +10,6 @@ namespace evil::bind {
 
 void register_math(nb::module_& module);
 void register_draw_list(nb::module_& module);
+void register_raster(nb::module_& module);
 
 } // namespace evil::bind

@@ -1,0 +1,47 @@
+#pragma once
+// What colour each pixel of a shape gets, apart from how much of it the shape covers.
+#include "draw/draw_list.hpp"
+#include "raster/spans.hpp"
+#include "raster/texture.hpp"
+#include <span>
+#include <vector>
+
+namespace evil::raster {
+
+struct Plane { // a number that changes linearly over the target: at + dx * x + dy * y
+    double at = 0, dx = 0, dy = 0;
+};
+
+// A triangle of the mesh, in pixels, with what is interpolated over it. One piece alone paints everything.
+struct Piece {
+    double x[3] = {}, y[3] = {};
+    Plane u, v;                         // of the whole picture: 0..1 across
+    Plane channel[4];                   // r, g, b, a, multiplied with alpha: 0..255
+    double least[4] = {}, most[4] = {}; // of the channels at the corners
+    const Picture* picture = nullptr;
+};
+
+struct Paint {
+    Pixel flat = 0; // the colour, or what the picture is multiplied with
+    bool textured = false, repeat = false;
+    bool coloured = false; // channels take the place of `flat`
+    std::vector<Piece> pieces;
+
+    struct Run { // scratch: pixels first..last of a row belong to a piece
+        double first, last;
+        const Piece* piece;
+    };
+    std::vector<Run> runs;
+    std::vector<Pixel> colours;
+};
+
+// `texture` may be null or empty: then the instance's tint and corners alone give the colour.
+void prepare(Paint& paint, const draw::DrawList& list, const draw::Mesh& mesh, const draw::Instance& instance,
+             const Texture* texture);
+
+inline bool is_flat(const Paint& paint) { return !paint.textured && !paint.coloured; }
+
+// Colours of the pixels left..right - 1 of row y. `out` has room for the count rounded up to eights.
+void paint_row(Paint& paint, Set set, int y, int left, int right, Pixel* out);
+
+} // namespace evil::raster

@@ -1,0 +1,152 @@
+#include "raster/renderer.hpp"
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace evil::raster {
+namespace {
+
+// Untouched blocks in a row between two touched ones from which on the run between is worth a call of its own.
+constexpr int kGap = 6;
+constexpr double kFarthest = 1e15; // pixels; beyond, a double no longer knows where in a pixel it is
+
+bool is_sound(const draw::DrawList& list, const draw::Mesh& mesh) {
+    const std::uint64_t vertices = std::uint64_t{mesh.first_vertex} + mesh.vertex_count;
+    const std::uint64_t indices = std::uint64_t{mesh.first_index} + mesh.index_count;
+    if (vertices > list.vertices.size() || indices > list.indices.size()) return false;
+    if (mesh.vertex_count < (mesh.kind == draw::MeshKind::circle ? 1u : 3u)) return false;
+    for (std::uint64_t i = mesh.first_index; i < indices; ++i)
+        if (list.indices[i] >= mesh.vertex_count) return false;
+    return true;
+}
+
+// The pixels that the loops may touch, or an empty box if they lie outside or nowhere.
+Box bounds_of(std::span<const Point> points, const Target& target) {
+    double left = kFarthest, top = kFarthest, right = -kFarthest, bottom = -kFarthest;
+    for (const Point& point : points) {
+        if (!(std::fabs(point.x) < kFarthest && std::fabs(point.y) < kFarthest)) return {};
+        left = std::min(left, point.x), right = std::max(right, point.x);
+        top = std::min(top, point.y), bottom = std::max(bottom, point.y);
+    }
+    const double width = target.width, height = target.height;
+    if (!(left < width && right > 0 && top < height && bottom > 0)) return {};
+    return {static_cast<int>(std::floor(std::max(left, 0.0))), static_cast<int>(std::floor(std::max(top, 0.0))),
+            static_cast<int>(std::ceil(std::min(right, width))), static_cast<int>(std::ceil(std::min(bottom, height)))};
+}
+
+int next_touched(const std::uint64_t* touched, int words, int from) { // the first touched block >= from, or -1
+    for (int word = from / 64; word < words; ++word) {
+        std::uint64_t rest = touched[word];
+        if (word == from / 64) rest &= ~std::uint64_t{0} << (from % 64);
+        if (rest) return word * 64 + std::countr_zero(rest);
+    }
+    return -1;
+}
+
+int cover_of(std::int32_t sum) { // as integrate() does for each pixel
+    const std::int64_t area = std::min<std::int64_t>(std::abs(std::int64_t{sum}), kFullCell);
+    return static_cast<int>((area * 255 + kFullCell / 2) >> 17);
+}
+
+// Draws runs of one row with a paint.
+struct Brush {
+    Paint& paint;
+    Set set;
+    std::vector<Pixel>& row;
+    Pixel* line; // the target's row
+    int y;
+
+    const Pixel* colours(int left, int right) {
+        paint_row(paint, set, y, left, right, row.data());
+        return row.data();
+    }
+    void masked(int left, int right, const std::uint8_t* mask) {
+        if (is_flat(paint))
+            blend_flat(set, line + left, mask, right - left, paint.flat);
+        else
+            blend_row(set, line + left, colours(left, right), mask, right - left);
+    }
+    void solid(int left, int right, int cover) {
+        if (!is_flat(paint)) return blend_row(set, line + left, colours(left, right), right - left, cover);
+        const Pixel colour = scale_pixel(paint.flat, cover);
+        if (colour >> 24 == 255)
+            fill(set, line + left, right - left, colour);
+        else
+            blend_flat(set, line + left, right - left, colour);
+    }
+};
+
+// Turns one row's cells into runs and draws them. Leaves the cells zero.
+void draw_row(Coverage& coverage, int row, Brush& brush, std::uint8_t* mask) {
+    std::uint64_t* touched = coverage.touched.data() + static_cast<std::size_t>(row) * coverage.words;
+    std::int32_t* cells = coverage.cells.data() + static_cast<std::size_t>(row) * coverage.stride;
+    const int width = coverage.box.right - coverage.box.left, left = coverage.box.left;
+    int block = next_touched(touched, coverage.words, 0);
+    std::int32_t sum = 0;
+    while (block >= 0) {
+        int end = block + 1, next = next_touched(touched, coverage.words, end);
+        while (next >= 0 && next - end < kGap) end = next + 1, next = next_touched(touched, coverage.words, end);
+        const int from = block * kBlock, to = end * kBlock;
+        sum = integrate(brush.set, cells + from, to - from, sum, mask);
+        if (from < width) brush.masked(left + from, left + std::min(to, width), mask);
+        const int solid_end = next >= 0 ? std::min(next * kBlock, width) : width;
+        if (const int cover = cover_of(sum); cover > 0 && to < solid_end)
+            brush.solid(left + to, left + solid_end, cover);
+        block = next;
+    }
+    std::fill_n(touched, coverage.words, std::uint64_t{0});
+}
+
+void draw_instance(const draw::DrawList& list, const draw::Instance& instance, const Texture* texture,
+                   const Target& target, Scratch& scratch, Set set) {
+    const draw::Mesh& mesh = list.meshes[instance.mesh];
+    if (instance.tint >> 24 == 0 || std::isnan(instance.outline)) return;
+    clear(scratch.loops);
+    add_mesh(scratch.loops, {list.vertices.data() + mesh.first_vertex, mesh.vertex_count}, mesh, instance.to_pixel,
+             instance.outline);
+    const Box box = bounds_of(scratch.loops.points, target);
+    if (box.left >= box.right || box.top >= box.bottom) return;
+
+    begin(scratch.coverage, box);
+    std::size_t first = 0;
+    for (std::size_t end : scratch.loops.ends) {
+        add_loop(scratch.coverage, std::span(scratch.loops.points).subspan(first, end - first));
+        first = end;
+    }
+    prepare(scratch.paint, list, mesh, instance, texture);
+    for (int y = box.top; y < box.bottom; ++y) {
+        Brush brush{scratch.paint, set, scratch.row, row_of(target, y), y};
+        draw_row(scratch.coverage, y - box.top, brush, scratch.mask.data());
+    }
+}
+
+} // namespace
+
+void render(const draw::DrawList& list, draw::Rgba8 background, std::span<const Texture> textures, const Target& target,
+            Scratch& scratch, Set set) {
+    for (int y = 0; y < target.height; ++y) fill(set, row_of(target, y), target.width, premultiply(background));
+    const std::size_t room = static_cast<std::size_t>(target.width) + 4 * kBlock;
+    if (scratch.mask.size() < room) scratch.mask.resize(room);
+    if (scratch.row.size() < room) scratch.row.resize(room);
+
+    std::vector<bool> sound(list.meshes.size());
+    for (std::size_t i = 0; i < list.meshes.size(); ++i) sound[i] = is_sound(list, list.meshes[i]);
+    for (const draw::Instance& instance : list.instances) {
+        if (instance.mesh >= list.meshes.size() || !sound[instance.mesh]) continue;
+        const bool found = instance.texture != draw::kNoTexture && instance.texture < textures.size();
+        draw_instance(list, instance, found ? &textures[instance.texture] : nullptr, target, scratch, set);
+    }
+}
+
+void unpremultiply(std::span<Pixel> pixels) noexcept {
+    for (Pixel& pixel : pixels) {
+        const Pixel alpha = pixel >> 24;
+        if (alpha == 255 || alpha == 0) continue;
+        Pixel straight = alpha << 24;
+        for (int shift = 0; shift < 24; shift += 8)
+            straight |= std::min<Pixel>(255, ((pixel >> shift & 255) * 255 + alpha / 2) / alpha) << shift;
+        pixel = straight;
+    }
+}
+
+} // namespace evil::raster

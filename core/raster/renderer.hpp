@@ -1,0 +1,33 @@
+#pragma once
+// The software renderer: a DrawList into a picture, with the same bits on every machine.
+//
+// Source over destination in sRGB, as pictures are usually mixed; light will be mixed in linear colour when lights come.
+#include "draw/draw_list.hpp"
+#include "raster/coverage.hpp"
+#include "raster/outline.hpp"
+#include "raster/paint.hpp"
+#include "raster/target.hpp"
+#include "raster/texture.hpp"
+#include <span>
+#include <vector>
+
+namespace evil::raster {
+
+struct Scratch { // losing it changes nothing
+    Coverage coverage;
+    Loops loops;
+    Paint paint;
+    std::vector<std::uint8_t> mask;
+    std::vector<Pixel> row;
+};
+
+// Fills the target with `background` (straight colour) and draws the instances in their order. Textures are found by id;
+// ids without one draw as if there were none. Instances whose indices do not fit the list, or whose positions are not
+// finite, draw nothing.
+void render(const draw::DrawList& list, draw::Rgba8 background, std::span<const Texture> textures, const Target& target,
+            Scratch& scratch, Set set = best_instruction_set());
+
+// Pixels multiplied with alpha, as straight ones.
+void unpremultiply(std::span<Pixel> pixels) noexcept;
+
+} // namespace evil::raster

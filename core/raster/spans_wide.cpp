@@ -1,0 +1,211 @@
+// Eight pixels at a time. Two channels share a 32-bit lane, 16 bits each: products of bytes fit.
+#include "raster/spans_wide.hpp"
+#include "math/wide.hpp"
+
+namespace evil::EVIL_ISA {
+namespace {
+
+using raster::Pixel;
+
+constexpr std::int32_t kPair = 0x00ff00ff;
+
+struct Channels { // eight pixels: red and blue, green and alpha
+    Ints rb, ga;
+};
+
+EVIL_INLINE Channels split(Ints pixels) { return {pixels & kPair, shift_right_unsigned(pixels, 8) & kPair}; }
+
+EVIL_INLINE Ints join(Channels c) { return c.rb | (c.ga << 8); }
+
+// Both halves times 0..255, divided by 255, rounded.
+EVIL_INLINE Ints multiply_255(Ints pair, Ints by) {
+    Ints t = pair * by + 0x00800080;
+    return shift_right_unsigned(t + (shift_right_unsigned(t, 8) & kPair), 8) & kPair;
+}
+
+EVIL_INLINE Channels multiply_255(Channels c, Ints by) { return {multiply_255(c.rb, by), multiply_255(c.ga, by)}; }
+
+// Source over destination; both multiplied with their alpha.
+EVIL_INLINE Ints over(Channels source, Ints destination) {
+    Ints left = Ints(255) - shift_right_unsigned(source.ga, 16);
+    Channels under = multiply_255(split(destination), left);
+    return join({source.rb + under.rb, source.ga + under.ga}); // rounding is monotone, so sums stay below 256
+}
+
+// a + (b - a) * f / 256 for f in 0..255. Halves may borrow from each other on the way; the sum is right again.
+EVIL_INLINE Ints mix(Ints a, Ints b, Ints f) {
+    return shift_right_unsigned((a << 8) + (b - a) * f + 0x00800080, 8) & kPair;
+}
+
+EVIL_INLINE Ints bilinear(Ints a, Ints b, Ints c, Ints d, Ints fx, Ints fy) {
+    Channels p = split(a), q = split(b), r = split(c), s = split(d);
+    return join({mix(mix(p.rb, q.rb, fx), mix(r.rb, s.rb, fx), fy), mix(mix(p.ga, q.ga, fx), mix(r.ga, s.ga, fx), fy)});
+}
+
+EVIL_INLINE Ints lanes_from(std::uint32_t start, std::uint32_t step) {
+    return Ints(static_cast<std::int32_t>(start)) + lane_numbers() * Ints(static_cast<std::int32_t>(step));
+}
+
+// A phase of which 2^32 is `size` texels, as texels in 16.16: the high half of a product of 32 bits and 16.
+EVIL_INLINE Ints texels_of(Ints phase, Ints size) {
+    return shift_right_unsigned(phase, 16) * size + shift_right_unsigned((phase & 0xffff) * size, 16);
+}
+
+struct Taps { // along one axis: two texels and where between them, 0..255
+    Ints first, second, between;
+};
+
+EVIL_INLINE Taps taps(Ints position, Ints size, bool repeat) {
+    if (repeat) {
+        Ints at = texels_of(position, size);
+        Ints first = shift_right_unsigned(at, 16), second = first + 1;
+        return {first, select(second == size, Ints(0), second), shift_right_unsigned(at, 8) & 255};
+    }
+    Ints at = position >> 16, last = size - 1;
+    return {min(max(at, Ints(0)), last), min(max(at + 1, Ints(0)), last), shift_right_unsigned(position, 8) & 255};
+}
+
+EVIL_INLINE Ints sample_eight(const raster::Walk& walk, Ints u, Ints v) {
+    const Ints width(walk.width), height(walk.height);
+    Taps x = taps(u, width, walk.repeat), y = taps(v, height, walk.repeat);
+    Ints above = y.first * width, below = y.second * width;
+    return bilinear(gather(walk.texels, above + x.first), gather(walk.texels, above + x.second),
+                    gather(walk.texels, below + x.first), gather(walk.texels, below + x.second), x.between, y.between);
+}
+
+// A picture at its own size and not turned: neighbours lie side by side, and only at its ends need texels be looked up.
+void sample_straight(Pixel* to, int count, const raster::Walk& walk, int y) {
+    const int first = static_cast<std::int32_t>(walk.u) >> 16;
+    const std::int32_t fx = (walk.u >> 8) & 255, fy = (walk.v >> 8) & 255;
+    const Pixel* above = walk.texels + static_cast<std::int64_t>(y) * walk.width;
+    const Pixel* below = y + 1 < walk.height ? above + walk.width : above;
+    for (int i = 0; i < count; i += 8) {
+        const int x = first + i;
+        Ints pixels;
+        if (x < 0 || x + 8 >= walk.width)
+            pixels = sample_eight(walk, lanes_from(walk.u + (static_cast<std::uint32_t>(i) << 16), 65536u),
+                                  Ints(static_cast<std::int32_t>(walk.v)));
+        else if (fx == 0 && fy == 0)
+            pixels = load(above + x);
+        else
+            pixels = bilinear(load(above + x), load(above + x + 1), load(below + x), load(below + x + 1), fx, fy);
+        store(to + i, pixels);
+    }
+}
+
+EVIL_INLINE Ints product(Ints pixels, int shift, Ints factor) { // of one channel, in its place
+    Ints t = (shift_right_unsigned(pixels, shift) & 255) * factor + 128;
+    return shift_right_unsigned(t + shift_right_unsigned(t, 8), 8) << shift;
+}
+
+// Ends of runs: `count` of eight lanes.
+EVIL_INLINE void store_some(Pixel* to, int count, Ints pixels) {
+    if (count >= 8)
+        store(to, pixels);
+    else
+        store_first(to, count, pixels);
+}
+EVIL_INLINE Ints load_some(const Pixel* from, int count) { return count >= 8 ? load(from) : load_first(from, count); }
+
+} // namespace
+
+void fill_wide(Pixel* to, int count, Pixel colour) noexcept {
+    Ints all(static_cast<std::int32_t>(colour));
+    for (int i = 0; i < count; i += 8) store_some(to + i, count - i, all);
+}
+
+void blend_flat_wide(Pixel* to, int count, Pixel colour) noexcept {
+    Channels source = split(Ints(static_cast<std::int32_t>(colour)));
+    for (int i = 0; i < count; i += 8) store_some(to + i, count - i, over(source, load_some(to + i, count - i)));
+}
+
+void blend_flat_masked_wide(Pixel* to, const std::uint8_t* mask, int count, Pixel colour) noexcept {
+    Channels source = split(Ints(static_cast<std::int32_t>(colour)));
+    for (int i = 0; i < count; i += 8) {
+        Ints under = load_some(to + i, count - i);
+        store_some(to + i, count - i, over(multiply_255(source, load_bytes(mask + i)), under));
+    }
+}
+
+void blend_row_wide(Pixel* to, const Pixel* from, int count, int cover) noexcept {
+    Ints factor(cover);
+    for (int i = 0; i < count; i += 8) {
+        Channels source = split(load_some(from + i, count - i));
+        if (cover != 255) source = multiply_255(source, factor);
+        store_some(to + i, count - i, over(source, load_some(to + i, count - i)));
+    }
+}
+
+void blend_row_masked_wide(Pixel* to, const Pixel* from, const std::uint8_t* mask, int count) noexcept {
+    for (int i = 0; i < count; i += 8) {
+        Channels source = multiply_255(split(load_some(from + i, count - i)), load_bytes(mask + i));
+        store_some(to + i, count - i, over(source, load_some(to + i, count - i)));
+    }
+}
+
+std::int32_t integrate_wide(std::int32_t* cells, int count, std::int32_t sum, std::uint8_t* mask) noexcept {
+    constexpr std::int32_t kFull = 1 << 17; // raster::kFullCell
+    std::uint32_t running = static_cast<std::uint32_t>(sum);
+    for (int i = 0; i < count; i += 8) {
+        std::int32_t sums[8];
+        for (int k = 0; k < 8; ++k) {
+            running += static_cast<std::uint32_t>(cells[i + k]);
+            sums[k] = static_cast<std::int32_t>(running);
+        }
+        Ints cover = load(sums);
+        cover = min(max(cover, Ints(0) - cover), Ints(kFull)); // either winding covers, and more than once is once
+        store_bytes(mask + i, shift_right_unsigned(cover * 255 + kFull / 2, 17));
+        store(cells + i, Ints(0));
+    }
+    return static_cast<std::int32_t>(running);
+}
+
+void ramp_wide(Pixel* to, int count, const raster::Ramp& colours) noexcept {
+    Ints channel[4], step[4];
+    for (int c = 0; c < 4; ++c) {
+        channel[c] =
+            lanes_from(static_cast<std::uint32_t>(colours.start[c]), static_cast<std::uint32_t>(colours.step[c]));
+        step[c] = Ints(colours.step[c]) << 3;
+    }
+    for (int i = 0; i < count; i += 8) {
+        Ints pixels(0);
+        for (int c = 0; c < 4; ++c) {
+            Ints value = min(max(channel[c], Ints(colours.least[c])), Ints(colours.most[c]));
+            pixels = pixels | (((value + 32768) >> 16) << (8 * c));
+            channel[c] = channel[c] + step[c];
+        }
+        store(to + i, pixels);
+    }
+}
+
+void sample_wide(Pixel* to, int count, const raster::Walk& walk) noexcept {
+    const int row = static_cast<std::int32_t>(walk.v) >> 16;
+    if (!walk.repeat && walk.du == 65536u && walk.dv == 0u && row >= 0 && row < walk.height) {
+        sample_straight(to, count, walk, row);
+        return;
+    }
+    Ints u = lanes_from(walk.u, walk.du), v = lanes_from(walk.v, walk.dv);
+    const Ints du(static_cast<std::int32_t>(walk.du << 3)), dv(static_cast<std::int32_t>(walk.dv << 3));
+    for (int i = 0; i < count; i += 8, u = u + du, v = v + dv) store(to + i, sample_eight(walk, u, v));
+}
+
+void modulate_wide(Pixel* row, const Pixel* by, int count) noexcept {
+    for (int i = 0; i < count; i += 8) {
+        Ints pixels = load(row + i), factors = load(by + i), result(0);
+        for (int shift = 0; shift < 32; shift += 8)
+            result = result | product(pixels, shift, shift_right_unsigned(factors, shift) & 255);
+        store(row + i, result);
+    }
+}
+
+void modulate_flat_wide(Pixel* row, int count, Pixel by) noexcept {
+    const Ints red(static_cast<std::int32_t>(by & 255)), green(static_cast<std::int32_t>(by >> 8 & 255));
+    const Ints blue(static_cast<std::int32_t>(by >> 16 & 255)), alpha(static_cast<std::int32_t>(by >> 24));
+    for (int i = 0; i < count; i += 8) {
+        Ints pixels = load(row + i);
+        store(row + i, product(pixels, 0, red) | product(pixels, 8, green) | product(pixels, 16, blue) |
+                           product(pixels, 24, alpha));
+    }
+}
+
+} // namespace evil::EVIL_ISA
