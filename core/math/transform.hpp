@@ -9,7 +9,10 @@ struct Rot { // a rotation as cosine and sine
     float c = 1.0f, s = 0.0f;
     friend constexpr bool operator==(Rot, Rot) = default;
 };
-inline Rot rotation(float angle) { SinCos f = sincos(angle); return {f.cos, f.sin}; }
+inline Rot rotation(float angle) {
+    SinCos f = sincos(angle);
+    return {f.cos, f.sin};
+}
 constexpr Vec2 rotate(Rot q, Vec2 a) { return {q.c * a.x - q.s * a.y, q.s * a.x + q.c * a.y}; }
 constexpr Vec2 unrotate(Rot q, Vec2 a) { return {q.c * a.x + q.s * a.y, q.c * a.y - q.s * a.x}; }
 
@@ -32,7 +35,7 @@ constexpr Vec2 apply(const Affine& m, Vec2 v) { return {m.a * v.x + m.c * v.y + 
 constexpr Vec2 apply_linear(const Affine& m, Vec2 v) { return {m.a * v.x + m.c * v.y, m.b * v.x + m.d * v.y}; }
 constexpr float determinant(const Affine& m) { return m.a * m.d - m.b * m.c; }
 constexpr Affine compose(const Affine& m, const Affine& n) { // n first, then m
-    return {m.a * n.a + m.c * n.b, m.b * n.a + m.d * n.b, m.a * n.c + m.c * n.d,
+    return {m.a * n.a + m.c * n.b, m.b * n.a + m.d * n.b,          m.a * n.c + m.c * n.d,
             m.b * n.c + m.d * n.d, m.a * n.tx + m.c * n.ty + m.tx, m.b * n.tx + m.d * n.ty + m.ty};
 }
 constexpr Affine affine(const Pose& t) { return {t.q.c, t.q.s, -t.q.s, t.q.c, t.p.x, t.p.y}; }

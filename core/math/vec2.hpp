@@ -21,13 +21,18 @@ constexpr float dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
 
 // The determinant |a b|, also called perpendicular dot: positive when b lies to the left of a.
 constexpr float cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-constexpr Vec2 cross(float w, Vec2 r) { return {-w * r.y, w * r.x}; }    // velocity of an arm r that turns at w
-constexpr Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }                   // a turned by +90 degrees
-constexpr Vec2 right_of(Vec2 a) { return {a.y, -a.x}; }                  // a turned by -90 degrees: outward from a counter-clockwise edge
+constexpr Vec2 cross(float w, Vec2 r) { return {-w * r.y, w * r.x}; } // velocity of an arm r that turns at w
+constexpr Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }                // a turned by +90 degrees
+constexpr Vec2 right_of(Vec2 a) {
+    return {a.y, -a.x};
+} // a turned by -90 degrees: outward from a counter-clockwise edge
 
 constexpr float length_squared(Vec2 a) { return dot(a, a); }
 inline float length(Vec2 a) { return std::sqrt(dot(a, a)); }
-inline Vec2 normalised(Vec2 a) { float l = length(a); return l > 0.0f ? (1.0f / l) * a : Vec2{}; }
+inline Vec2 normalised(Vec2 a) {
+    float l = length(a);
+    return l > 0.0f ? (1.0f / l) * a : Vec2{};
+}
 constexpr Vec2 lerp(Vec2 a, Vec2 b, float t) { return a + t * (b - a); }
 constexpr Vec2 min(Vec2 a, Vec2 b) { return {a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y}; }
 constexpr Vec2 max(Vec2 a, Vec2 b) { return {a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y}; }
