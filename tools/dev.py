@@ -109,7 +109,10 @@ def lint() -> None:
 def sanitize(*arguments: str) -> None:
     """A second copy of the package, beside the build, holds the watched module: the normal one stays as it is."""
     libraries = compile_core(
-        SANITIZED, "-DEVIL_SANITIZE=ON", "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O1 -D_GLIBCXX_ASSERTIONS"
+        SANITIZED,
+        "-DEVIL_SANITIZE=ON",
+        "-DCMAKE_BUILD_TYPE=None",
+        "-DCMAKE_CXX_FLAGS=-O1 -D_GLIBCXX_ASSERTIONS -fno-var-tracking",
     )
     site = SANITIZED / "site"
     shutil.rmtree(site, ignore_errors=True)
