@@ -11,7 +11,8 @@ void register_math(nb::module_& module) {
             SinCos f = sincos(angle);
             return nb::make_tuple(f.sin, f.cos);
         },
-        nb::arg("angle"), "(sin, cos) of an angle in radians, rounded to 32 bits; the same bits on every machine.");
+        nb::arg("angle"), nb::sig("def sincos(angle: float) -> tuple[float, float]"),
+        "(sin, cos) of an angle in radians, rounded to 32 bits; the same bits on every machine.");
     module.def("atan2", &atan2, nb::arg("y"), nb::arg("x"), "Direction of (x, y) in radians, rounded to 32 bits.");
     module.def("exponential", &exponential, nb::arg("x"), "e to the power x, with the same bits on every machine.");
     module.def("logarithm", &logarithm, nb::arg("x"), "Natural logarithm, with the same bits on every machine.");

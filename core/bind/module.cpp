@@ -6,6 +6,7 @@ NB_MODULE(_core, module) {
     module.doc() = "EvilEngine's C++ core. Use evilengine, its public face.";
     evil::bind::load_python_types();
     evil::bind::register_math(module);
+    evil::bind::register_mat4(module);
     evil::bind::register_shapes(module);
     evil::bind::register_draw_list(module);
     evil::bind::register_raster(module);

@@ -9,6 +9,7 @@ namespace nb = nanobind;
 namespace evil::bind {
 
 void register_math(nb::module_& module);
+void register_mat4(nb::module_& module);
 void register_shapes(nb::module_& module);
 void register_draw_list(nb::module_& module);
 void register_raster(nb::module_& module);

@@ -27,10 +27,14 @@ std::optional<Mat4> inverse(const Mat4& a) noexcept {
                                  -m[12] * l12 + m[13] * l02 - m[14] * l01, m[8] * l12 - m[9] * l02 + m[10] * l01};
     Mat4 r;
     for (std::size_t i = 0; i < 16; ++i) {
-        r.m[i] = static_cast<float>(adjugate[i] / determinant);
+        r.m[i] = static_cast<float>(adjugate[i] / determinant + 0.0); // + 0 turns -0 into 0
         if (!std::isfinite(r.m[i])) return std::nullopt;
     }
     return r;
+}
+
+bool all_finite(std::span<const float> numbers, InstructionSet set) noexcept {
+    return numbers.empty() || EVIL_PICK(set, all_finite)(numbers.data(), numbers.size());
 }
 
 void transform_points(const Mat4& a, std::span<const Vec2> points, std::span<Vec2> out, InstructionSet set) noexcept {

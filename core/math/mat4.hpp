@@ -56,6 +56,8 @@ inline Mat4 rotation4(float angle) { return mat4(affine(Pose{{}, rotation(angle)
 // The matrix that undoes `a`, computed in double; none if there is none within the range of floats.
 std::optional<Mat4> inverse(const Mat4& a) noexcept;
 
+bool all_finite(std::span<const float> numbers, InstructionSet set = best_instruction_set()) noexcept;
+
 // Batches. `out` is as long as the input and does not overlap it; two spans of matrices are equally long, or one holds one.
 void transform_points(const Mat4& a, std::span<const Vec2> points, std::span<Vec2> out,
                       InstructionSet set = best_instruction_set()) noexcept;

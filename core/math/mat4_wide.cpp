@@ -20,6 +20,16 @@ EVIL_INLINE Floats times(const Columns& m, Floats v) {
 
 } // namespace
 
+bool all_finite(const float* numbers, std::size_t count) noexcept {
+    constexpr std::int32_t kExponent = 0x7f800000; // all ones in infinities and NaN, and in nothing else
+    Mask bad = Ints(0) == Ints(1);
+    std::size_t i = 0;
+    for (; i + kLanes <= count; i += kLanes)
+        bad = bad | ((float_to_bits(load(numbers + i)) & Ints(kExponent)) == Ints(kExponent));
+    int rest = static_cast<int>(count - i);
+    return !any(bad | ((float_to_bits(load_first(numbers + i, rest)) & Ints(kExponent)) == Ints(kExponent)));
+}
+
 void transform_points(const float* m, const float* points, float* out, std::size_t count) noexcept {
     Floats xx = m[0], yx = m[1], xy = m[4], yy = m[5], tx = m[12], ty = m[13], x, y;
     std::size_t i = 0;
