@@ -39,7 +39,7 @@ class Diagnostic:
 
     def __str__(self) -> str:
         lines = [self.headline]
-        if self.source.strip() or self.line > 0:
+        if self.source:
             lines += _pointed_out(self.source, self.column, self.length)
         if self.suggestion:
             lines.append(f"    {self.suggestion}")
@@ -138,7 +138,17 @@ class Corners:
     points: tuple[Pair, ...]
 
 
-Value: TypeAlias = Number | Pair | Corners | Called | str | bool | int | tuple[float, float, float, float]
+@dataclass(frozen=True, slots=True)
+class Area:
+    """The edges of an upright rectangle."""
+
+    left: Number
+    bottom: Number
+    right: Number
+    top: Number
+
+
+Value: TypeAlias = Number | Pair | Corners | Area | Called | str | bool | int
 
 
 @dataclass(frozen=True, slots=True)
@@ -291,8 +301,10 @@ class OnContact:
 
 @dataclass(frozen=True, slots=True)
 class OnTouch:
+    """When a finger presses `first` (None: anything, or nothing)."""
+
     place: Place
-    first: Target
+    first: Target | None
     block: Block
 
 

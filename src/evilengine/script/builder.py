@@ -1,0 +1,291 @@
+"""Checked syntax to commands: units become the engine's, words become its classes and keyword arguments."""
+
+from __future__ import annotations
+
+from evilengine.script.arithmetic import Bounds
+from evilengine.script.bodies import BODIES, ThingBuilder
+from evilengine.script.checker import thing
+from evilengine.script.names import NUMBER, SOMETHING, TEXT, Made
+from evilengine.script.syntax import (
+    Block,
+    Change,
+    Choice,
+    Event,
+    Identifier,
+    Literal,
+    New,
+    Order,
+    Rounds,
+    Spot,
+    StatementNode,
+    Text,
+    TextLine,
+    Unknown,
+)
+from evilengine.script.word import ANY, LANGUAGE_VERSION, MAX_ROUNDS, MAX_WORK, Range
+from evilengine.script.words import property_of
+from evilengine.values import level as values
+from evilengine.values.level import Called, Command, Number, Option, Place, Tagged, Value
+
+THINGS = (*BODIES, "spring", "force", "drag", "medium", TEXT)
+
+_SECONDS = Range(least=0.0, most=1e6)
+_INTERVAL = Range(least=0.02, most=1e6)  # shorter than a step is no interval
+
+
+class Builder(ThingBuilder):
+    """One method for each kind of statement; each notes what is wrong with it."""
+
+    _work = 1.0
+    """How many times what is read now is carried out at once."""
+    _top = True
+
+    def block(self, statements: Block) -> values.Block:
+        """The commands of a block that shares the names of the one round it."""
+        commands: list[Command] = []
+        for statement in statements:
+            commands += self._commands(statement)
+        return tuple(commands)
+
+    def _inner(self, statements: Block, *known: Made) -> values.Block:
+        """The commands of a block with names of its own."""
+        top, self._top = self._top, False
+        self.names.open()
+        for made in known:
+            self.names.make(made)
+        commands = self.block(statements)
+        self.names.close()
+        self._top = top
+        return commands
+
+    def _commands(self, statement: StatementNode) -> list[Command]:
+        match statement:
+            case New():
+                return self.new(statement)
+            case Order():
+                return self._order(statement)
+            case TextLine():
+                return self._text(statement)
+            case Change():
+                return self._change(statement)
+            case Event():
+                return self._event(statement)
+            case Rounds():
+                return self._rounds(statement)
+            case Choice():
+                return self._choice(statement)
+            case Unknown():
+                self._inner(
+                    statement.block, Made("this", SOMETHING, statement.place), Made("other", SOMETHING, statement.place)
+                )
+                return []
+
+    # Orders
+
+    def _order(self, statement: Order) -> list[Command]:
+        place, values_of = statement.place, statement.values
+        if statement.word == "let" and values_of and isinstance(values_of[0], Identifier):
+            return self._let(statement)
+        if statement.broken:
+            return []
+        if statement.word in ("evil", "view", "seed") and not self._top:
+            message = f"{statement.word} is said once, outside all blocks"
+            self.error("wrong-place", message, place, "move it to the start of the level")
+        match statement.word, values_of:
+            case "evil", (Literal() as version,):
+                self._version(version, place)
+                return []
+            case "view", (Spot() as size,):
+                width = self.fixed(size.x, "the width of the view", Range(least=0.1, most=10_000.0), "length")
+                height = self.fixed(size.y, "the height of the view", Range(least=0.1, most=10_000.0), "length")
+                return [values.SetView(place, width, height)]
+            case "seed", (seed,):
+                assert not isinstance(seed, Text | Identifier | Spot)
+                return [values.SetSeed(place, self.whole(seed, "the seed", Range(least=0, most=1e9)))]
+            case "gravity", (Spot() as pull,):
+                return [values.SetGravity(place, self.pair(pull, "gravity", Range(least=-1000.0, most=1000.0)))]
+            case "tilt", (Identifier(name=switch),):
+                return [values.SetTilt(place, switch == "on")]
+            case "background", (Text() as what,):
+                return [self._background(what, place)]
+            case "destroy", (Identifier() as name,):
+                made = self.called(name, THINGS, "thing")
+                return [values.Destroy(place, Called(name.name))] if made else []
+            case "impulse", (Identifier() as name, Spot() as kick):
+                return self._impulse(name, kick, place)
+        return []
+
+    def _version(self, version: Literal, place: Place) -> None:
+        if version.value != LANGUAGE_VERSION:
+            message = f"this level is written in language {version.value:g}; this engine knows {LANGUAGE_VERSION}"
+            self.error("wrong-version", message, version.place, "write: evil 1;")
+
+    def _background(self, what: Text, place: Place) -> values.SetBackground:
+        if "." in what.value:
+            return values.SetBackground(place, picture=self.picture(what))
+        return values.SetBackground(place, colour=self.colour(what))
+
+    def _impulse(self, name: Identifier, kick: Spot, place: Place) -> list[Command]:
+        made = self.called(name, BODIES, "thing")
+        if made is not None and made.still and made.family != SOMETHING:
+            message = f"'{name.name}' stands still, so no impulse can move it"
+            self.error("stands-still", message, name.place, "make it with physicsOn")
+        pair = self.pair(kick, "impulse", Range(least=-1e6, most=1e6))
+        return [values.Impulse(place, Called(name.name), pair)]
+
+    def _let(self, statement: Order) -> list[Command]:
+        name, *rest = statement.values
+        assert isinstance(name, Identifier)
+        value: Number = 0.0
+        if rest:
+            assert not isinstance(rest[0], Text | Identifier | Spot)
+            value = self.number(rest[0], name.name)
+        self.declare(Made(name.name, NUMBER, name.place))
+        return [values.Let(statement.place, name.name, value)]
+
+    # text, set
+
+    def _text(self, statement: TextLine) -> list[Command]:
+        settings = self.by_word(statement.settings, "text")
+        if "at" not in settings and not statement.broken:
+            self.error("missing-property", "text needs at", statement.place, 'as in: text "Hello" at 20 20;')
+        options = tuple(Option(entry.option, self.value(setting, entry)) for setting, entry in settings.values())
+        pieces = self.pieces(statement.words)
+        if statement.name is not None:
+            self.declare(Made(statement.name.name, TEXT, statement.name.place))
+        name = statement.name.name if statement.name else ""
+        return [values.AddText(statement.place, name, pieces, options)]
+
+    def _change(self, statement: Change) -> list[Command]:
+        target = statement.target
+        if statement.setting is None and statement.value is None:
+            self.called(target, (*BODIES, TEXT, NUMBER), "thing")
+            return []
+        if statement.setting is None:
+            return self._change_number(statement)
+        made = self.called(target, (*BODIES, TEXT), "thing")
+        if made is None or statement.broken:
+            return []
+        family = "text" if made.family == TEXT else "body"
+        entry = property_of(statement.setting.word, family)
+        if entry is None or not entry.settable:
+            self.error(
+                "wrong-property", f"a {family} has no {statement.setting.word} to change", statement.setting.place
+            )
+            return []
+        if entry.takes == "flag":
+            (switch,) = statement.setting.values
+            value: Value = isinstance(switch, Identifier) and switch.name == "on"
+        else:
+            value = self.value(statement.setting, entry)
+        return [values.SetProperty(statement.place, Called(target.name), entry.settable, value)]
+
+    def _change_number(self, statement: Change) -> list[Command]:
+        target = statement.target
+        made = self.names.find(target.name)
+        if made is not None and made.family not in (NUMBER, SOMETHING):
+            hint = f"say what of it changes, as in: set {target.name} angle 30;"
+            self.error("wrong-thing", f"'{target.name}' is a {thing(made.family)}, not a number", target.place, hint)
+            return []
+        made = self.called(target, (NUMBER,), "number")
+        if made is not None and made.fixed:
+            self.error("fixed-number", f"'{target.name}' counts the rounds and cannot be set", target.place,
+                       "make a number of your own with let")  # fmt: skip
+        if statement.value is None or statement.broken:
+            return []
+        return [values.SetNumber(statement.place, target.name, self.number(statement.value, target.name))]
+
+    # Events, rounds, choices
+
+    def _event(self, statement: Event) -> list[Command]:
+        place = statement.place
+        targets = [] if statement.event == "key" else [self._target(each) for each in statement.targets]
+        known = []
+        if statement.event in ("collide", "separate", "touch", ""):
+            known.append(Made("this", SOMETHING, place))
+        if statement.event in ("collide", "separate", ""):
+            known.append(Made("other", SOMETHING, place))
+        work, self._work = self._work, 1.0
+        block = self._inner(statement.block, *known)
+        self._work = work
+        if statement.broken:
+            return []
+        match statement.event, targets:
+            case (("collide" | "separate"), [first, *second]):
+                begins = statement.event == "collide"
+                return [values.OnContact(place, begins, first, second[0] if second else None, block)]
+            case "touch", []:
+                return [values.OnTouch(place, None, block)]
+            case "touch", [first]:
+                return [values.OnTouch(place, first, block)]
+            case "shake", _:
+                return [values.OnShake(place, block)]
+            case "key", _:
+                (key,) = statement.targets
+                assert isinstance(key, Text)
+                return [values.OnKey(place, self.key(key), block)]
+        return []
+
+    def _target(self, target: Identifier | Text) -> values.Target:
+        if isinstance(target, Text):
+            return Tagged(target.value)
+        self.called(target, BODIES, "thing")
+        return Called(target.name)
+
+    def _rounds(self, statement: Rounds) -> list[Command]:
+        work = self._work
+        amount, times = self._amounts(statement)
+        known = []
+        if statement.counter is not None:
+            last = times if statement.word == "every" else amount
+            high = last if isinstance(last, float) else float("inf")
+            bounds = Bounds(1.0, high, exact=isinstance(last, float) and high >= 1.0 and not self.uncertain)
+            counter = Made(statement.counter.name, NUMBER, statement.counter.place, bounds, fixed=True)
+            self.names.open()
+            self.declare(counter)
+            self.names.close()
+            known.append(counter)
+        block = self._inner(statement.block, *known)
+        self._work = work
+        counted = statement.counter.name if statement.counter else ""
+        match statement.word:
+            case "after":
+                return [values.After(statement.place, amount, block)]
+            case "every":
+                return [values.Every(statement.place, amount, times, counted, block)]
+            case _:
+                return [values.Repeat(statement.place, amount, counted, block)]
+
+    def _amounts(self, statement: Rounds) -> tuple[Number, Number | None]:
+        """Seconds and times, or rounds and None; and the work inside is that much more."""
+        if statement.word != "repeat":
+            self._work = 1.0
+            allowed = _SECONDS if statement.word == "after" else _INTERVAL
+            seconds = self.number(statement.amount, "the time", allowed, "time") if statement.amount else 1.0
+            times = self.number(statement.times, "times", Range(least=1.0, most=1e6)) if statement.times else None
+            return seconds, times
+        if statement.amount is None:
+            return 1.0, None
+        rounds = self.number(statement.amount, "the number of rounds", Range(least=0.0, most=MAX_ROUNDS))
+        if isinstance(rounds, float):
+            self._work *= max(1.0, rounds)
+            if rounds != int(rounds):
+                self.error(
+                    "not-whole", "the number of rounds is a whole number", statement.place, f"write {int(rounds)}"
+                )
+        if self._work > MAX_WORK and not self._too_much:
+            self._too_much = True
+            message = f"repeat inside repeat comes to {self._work:,.0f} rounds; {MAX_WORK:,} at once are allowed"
+            self.error("too-many-rounds", message, statement.place, "repeat less often")
+        return rounds, None
+
+    _too_much = False
+
+    def _choice(self, statement: Choice) -> list[Command]:
+        condition: Number = 1.0
+        if statement.condition is not None:
+            condition = self.number(statement.condition, "the condition", ANY)
+        self.uncertain += 1
+        then, otherwise = self._inner(statement.then), self._inner(statement.otherwise)
+        self.uncertain -= 1
+        return [values.If(statement.place, condition, then, otherwise)]

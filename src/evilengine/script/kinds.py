@@ -1,0 +1,97 @@
+"""What `new` can make."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from evilengine.script.word import ANY, MAX_CORNERS, NOT_NEGATIVE, Kind, Size
+
+KINDS: Mapping[str, Kind] = {
+    each.word: each
+    for each in (
+        Kind(
+            word="walls",
+            family="body",
+            type="Rectangle",
+            sizes=(Size(name="width"), Size(name="height")),
+            doc="A room: four walls that stand round an area of this size. They are 1 metre thick, or `thickness`.",
+            example='new walls 15 8 thickness 0.5 colour "dimgrey";',
+            meant=("wall", "room", "border", "bounds", "frame", "walls"),
+        ),
+        Kind(
+            word="rectangle",
+            family="body",
+            type="Rectangle",
+            sizes=(Size(name="width"), Size(name="height")),
+            doc="A rectangle; its place is its middle.",
+            example="new rectangle crate 2 1 at 0 4 angle 30 physicsOn;",
+            meant=("box", "square", "rect", "block", "crate", "platform", "floor", "ground"),
+        ),
+        Kind(
+            word="circle",
+            family="body",
+            type="Circle",
+            sizes=(Size(name="radius"),),
+            doc="A circle; its place is its middle.",
+            example="new circle ball 0.5 at 1 6 physicsOn;",
+            meant=("ball", "disc", "disk", "round", "sphere", "oval", "ellipse"),
+        ),
+        Kind(
+            word="triangle",
+            family="body",
+            type="Triangle",
+            corners=(3, 3),
+            needs=("at",),
+            doc="A triangle with these three corners, counted from its place.",
+            example="new triangle 0 0, 1 0, 0.5 1 at 3 3 physicsOn;",
+            meant=("tri", "wedge", "ramp"),
+        ),
+        Kind(
+            word="polygon",
+            family="body",
+            type="Polygon",
+            corners=(3, MAX_CORNERS),
+            needs=("at",),
+            doc="A shape with any corners, counted from its place, in order round it. Its edges may not cross.",
+            example="new polygon rock 0 0, 1 0, 1.2 0.8, 0.3 1.1 at 2 5 physicsOn;",
+            meant=("poly", "shape", "hexagon", "pentagon", "star"),
+        ),
+        Kind(
+            word="spring",
+            family="spring",
+            type="Spring",
+            needs=("from", "to"),
+            doc="A spring that pulls and pushes a thing toward a point or another thing.",
+            example="new circle ball 0.5 at 0 3 physicsOn;\nnew spring from ball to 0 8 stiffness 20 length 2;",
+            meant=("rope", "elastic", "band", "string"),
+        ),
+        Kind(
+            word="force",
+            family="force",
+            type="ConstantForce",
+            sizes=(Size(name="x", range=ANY), Size(name="y", range=ANY)),
+            doc="A steady push with this strength to the right and up; on everything, or only on those named by `for`.",
+            example="new circle ball 0.5 at 0 3 physicsOn;\nnew force wind 2 0 for ball;",
+            meant=("push", "wind", "thrust"),
+        ),
+        Kind(
+            word="drag",
+            family="drag",
+            type="Drag",
+            sizes=(Size(name="strength", range=NOT_NEGATIVE),),
+            doc="Resistance, as of thick air: slows whatever moves; everything, or only those named by `for`.",
+            example="new circle ball 0.5 at 0 3 physicsOn;\nnew drag 0.5 for ball;",
+            meant=("resistance", "brake"),
+        ),
+        Kind(
+            word="medium",
+            family="medium",
+            type="Medium",
+            sizes=(Size(name="width"), Size(name="height")),
+            needs=("drag",),
+            doc="An area of water, mud or thick air: what moves through it is slowed by its drag.",
+            example="new medium pond 8 2 at 0 -3 drag 4;",
+            meant=("water", "mud", "liquid", "zone", "area"),
+        ),
+    )
+}

@@ -1,0 +1,280 @@
+"""The part of the parser that reads properties, and finds its way back after an error."""
+
+from __future__ import annotations
+
+from evilengine.script.expressions import Expressions, Skip, cut, shown
+from evilengine.script.lexer import Token
+from evilengine.script.syntax import Identifier, Item, Setting, Text
+from evilengine.script.word import Property
+from evilengine.script.words import (
+    KINDS,
+    PROPERTIES,
+    PROPERTY_WORDS,
+    RESERVED,
+    near,
+    near_property,
+    near_statement,
+    properties_of,
+    property_of,
+)
+from evilengine.values.level import Place
+
+_SWITCHES = {"on": True, "off": False}
+_TRUTHS = {"true": "on", "false": "off", "yes": "on", "no": "off", "1": "on", "0": "off"}
+
+
+class Settings(Expressions):
+    """Readers of property words and their values."""
+
+    def settings(self, family: str) -> tuple[Setting, ...]:
+        """Properties up to the end of the statement; `family` "" is one that nobody could guess."""
+        result: list[Setting] = []
+        while not self._at_end_of_statement(family):
+            before = self._at
+            try:
+                result += self._setting(family)
+                self.unit_apart()
+            except Skip:
+                self.resync()
+            if self._at == before:
+                self.advance()
+        return tuple(result)
+
+    def _at_end_of_statement(self, family: str) -> bool:
+        token = self.token
+        if token.kind in (";", "}", "end", "{") or self.starts_statement(token):
+            return True
+        # A misspelt statement on a new line means that the semicolon before it is missing.
+        if token.first and token.kind == "name" and token.text not in PROPERTY_WORDS:
+            return self.near_property(token.text, family) is None and self._misspelt_statement(token)
+        return token.first and token.kind != "name" and self.last.kind != ","
+
+    def _misspelt_statement(self, token: Token) -> bool:
+        return near_statement(token.text) is not None or token.text in KINDS
+
+    def near_property(self, word: str, family: str) -> str | None:
+        if family:
+            return near_property(word, family)
+        return near(word, PROPERTY_WORDS)
+
+    def _setting(self, family: str) -> tuple[Setting, ...]:
+        """A property; none, after an error that left nothing to use."""
+        token = self.token
+        if token.kind != "name":
+            self._unexpected(token)
+            return ()
+        entry = property_of(token.text, family)
+        if entry is None and token.text in PROPERTY_WORDS:
+            self._foreign_property(token, family)
+            return ()
+        if entry is None:
+            suggestion = self.near_property(token.text, family)
+            if suggestion is None and family and self._is_kind_or_joining(token):
+                return ()
+            self._unknown_property(token, family, suggestion)
+            if suggestion is None:
+                self.advance()
+                raise Skip
+            entry = property_of(suggestion, family) or next(each for each in PROPERTIES if each.word == suggestion)
+        self.advance()
+        return (Setting(entry.word, self._values(entry), token.place),)
+
+    def _unexpected(self, token: Token) -> None:
+        if token.kind == "number" or token.kind in ("(", "-", "+"):
+            self.error(
+                "odd-number", f"the number {cut(token.text)} belongs to nothing", token, "what is it? as in: angle 30"
+            )
+        elif token.kind == "string":
+            self.error("odd-text", f"{shown(token)} belongs to nothing", token, 'what is it? as in: colour "red"')
+        elif token.kind in ("=", "=="):
+            self.error("odd-equals", "there is no = in a statement", token, "leave it out, as in: angle 30")
+            self.advance()
+            if self.at_number():
+                self.number("a number")
+            return
+        elif token.kind == ",":
+            self.error("odd-comma", "there is no comma between properties", token, "put a space instead")
+            self.advance()
+            return
+        else:
+            self.error("odd-mark", f"{shown(token)} has no place here", token, "leave it out")
+        self.advance()
+        raise Skip
+
+    def _foreign_property(self, token: Token, family: str) -> None:
+        """A known word that this kind of thing has no use for; its values are read, to find errors in them."""
+        entry = next(each for each in PROPERTIES if token.text in (each.word, *each.spellings))
+        owner = {"walls": "body"}.get(family, family) or "thing"
+        names = ", ".join(each.word for each in properties_of(family)) if family else ""
+        if family:
+            self.error("wrong-property", f"a {owner} has no {token.text}", token, f"it takes {names}" if names else "")
+        self.advance()
+        self._values(entry)
+
+    def _is_kind_or_joining(self, token: Token) -> bool:
+        if token.text not in RESERVED:
+            return False
+        self.error("odd-word", f"{shown(token)} has no place here", token, "is a ; missing before it?")
+        self.advance()
+        raise Skip
+
+    def _unknown_property(self, token: Token, family: str, suggestion: str | None) -> None:
+        if suggestion:
+            hint = f"did you mean '{suggestion}'?"
+        elif family:
+            hint = f"there are {', '.join(each.word for each in properties_of(family))}"
+        else:
+            return  # what it belongs to is unknown, and that has been said
+        self.error("unknown-property", f"there is no property {shown(token)}", token, hint)
+
+    def setting_to_change(self) -> Setting:
+        """The property and value of `set`; flags take on or off there."""
+        token = self.token
+        changeable = {each.word: each for each in PROPERTIES if each.settable}
+        if token.kind != "name" or self.starts_statement(token):
+            where: Token | Place = self.after_last() if token.kind in (";", "}", "{", "end") else token
+            self.error("missing-property", "set needs what to change, as in: set ball velocity 1 0;", where)
+            raise Skip
+        word = token.text
+        entry = changeable.get(word) or next((each for each in changeable.values() if word in each.spellings), None)
+        if entry is None:
+            if word in PROPERTY_WORDS:
+                hint = f"set changes {', '.join(changeable)}"
+                self.error("wrong-property", f"{word} cannot be changed later", token, hint)
+                self.advance()
+                raise Skip
+            suggestion = near_property(word, "body")
+            entry = changeable.get(suggestion or "")
+            hint = f"did you mean '{suggestion}'?" if entry else f"set changes {', '.join(changeable)}"
+            self.error("unknown-property", f"there is no property {shown(token)}", token, hint)
+            if entry is None:
+                self.advance()
+                raise Skip
+        self.advance()
+        if entry.takes == "flag":
+            return Setting(entry.word, (self.switch(entry.word),), token.place)
+        return Setting(entry.word, self._values(entry), token.place)
+
+    def _values(self, entry: Property) -> tuple[Item, ...]:
+        word = entry.word
+        as_in = f"as in: {example_of(entry)}"
+        match entry.takes:
+            case "flag":
+                self._no_value(word)
+                return ()
+            case "point" | "direction" | "spot":
+                return (self.spot(f"{word} needs two numbers, {as_in}"),)
+            case "colour":
+                return (self.colour(word),)
+            case "picture":
+                return (self._picture(word),)
+            case "tag":
+                return (self._tag(word),)
+            case "name":
+                return (self.name_of(f"{word} needs a name, {as_in}"),)
+            case "names":
+                return self._names(f"{word} needs one or more names, {as_in}")
+            case "place":
+                if self.at_number():
+                    return (self.spot(f"{word} needs a name or two numbers, {as_in}"),)
+                return (self.name_of(f"{word} needs a name or two numbers, {as_in}"),)
+            case _:
+                return (self.number(f"{word} needs a number, {as_in}"),)
+
+    def _no_value(self, word: str) -> None:
+        token = self.token
+        if token.kind == "name" and token.text in ("off", "true", "false", "yes", "no"):
+            self.error("odd-word", f"{word} stands alone, without {shown(token)}", token, "leave it out")
+            self.advance()
+
+    def _names(self, wanted: str) -> tuple[Item, ...]:
+        result: list[Item] = [self.name_of(wanted)]
+        while True:
+            if self.token.kind == ",":
+                self.error("odd-comma", "there is no comma between names", self.advance(), "put a space instead")
+            if self.token.kind != "name" or self.token.text in RESERVED or self.token.first:
+                return tuple(result)
+            result.append(self.name_of(wanted))
+
+    def switch(self, word: str) -> Identifier:
+        """on or off."""
+        token = self.token
+        if token.kind == "name" and token.text in _SWITCHES:
+            return Identifier(self.advance().text, token.place)
+        guess = _TRUTHS.get(token.text.lower())
+        where: Token | Place = token if guess or token.kind == "name" else self.after_last()
+        self.error("missing-switch", f"{word} is on or off", where, f"did you mean '{guess}'?" if guess else "")
+        if guess:
+            self.advance()
+            return Identifier(guess, token.place)
+        raise Skip
+
+    def colour(self, word: str) -> Text:
+        """A colour's name, with or without quotes, or `"#rrggbb"` in quotes."""
+        token = self.token
+        if token.kind == "string" or (token.kind == "name" and token.text not in RESERVED and not token.first):
+            self.advance()
+            return Text(token.text, token.place)
+        where: Token | Place = self.after_last() if token.kind in (";", "}", "{", "end", "name") else token
+        self.error("missing-colour", f"{word} needs a colour", where, f'as in: {word} "red", or {word} "#cc9966"')
+        if token.kind == "number":
+            self.advance()
+        raise Skip
+
+    def _picture(self, word: str) -> Text:
+        token = self.token
+        if token.kind == "string":
+            self.advance()
+            return Text(token.text, token.place)
+        if token.kind == "name" and token.text not in RESERVED and not token.first:
+            self.advance()
+            self.error("unquoted-file", "a file name stands in quotes", token, f'write "{cut(token.text)}"')
+            raise Skip
+        self.error("missing-file", f'{word} needs a picture, as in: {word} "crate.png"', self.after_last())
+        raise Skip
+
+    def _tag(self, word: str) -> Text:
+        token = self.token
+        if token.kind == "string" or (token.kind == "name" and token.text not in RESERVED and not token.first):
+            self.advance()
+            return Text(token.text, token.place)
+        self.error("missing-text", f'{word} needs a word, as in: {word} "coin"', self.after_last())
+        raise Skip
+
+    # Finding back
+
+    def resync(self) -> None:
+        """After an error: on to the next property, or to where the statement ends."""
+        while True:
+            token = self.token
+            if token.kind in (";", "{", "}", "end") or self.starts_statement(token):
+                return
+            if token.kind == "name" and (
+                token.text in PROPERTY_WORDS or (token.first and self._misspelt_statement(token))
+            ):
+                return
+            self.advance()
+
+    def just_reported(self, where: Place) -> bool:
+        """Whether the last error is about the very same spot, so that one there would be noise."""
+        if not self.source.diagnostics:
+            return False
+        last = self.source.diagnostics[-1]
+        return last.line == where.line and last.column == where.column
+
+
+def example_of(entry: Property) -> str:
+    """A property with its value, out of the table's example."""
+    return _extract(entry.example.splitlines()[-1], entry.word) if entry.example else f"{entry.word} ..."
+
+
+def _extract(example: str, word: str) -> str:
+    """The part of an example statement that starts with `word`, up to the next property."""
+    words = example.rstrip(";").split()
+    if word not in words:
+        return example
+    start = words.index(word)
+    end = start + 1
+    while end < len(words) and words[end].rstrip(";") not in RESERVED:
+        end += 1
+    return " ".join(words[start:end])

@@ -1,0 +1,170 @@
+"""The words that start a statement, the events, and the functions of arithmetic."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from evilengine.script.word import Statement, Word
+
+STATEMENTS: Mapping[str, Statement] = {
+    each.word: each
+    for each in (
+        Statement(
+            word="evil",
+            form="evil 1;",
+            doc="The version of the language, as the first statement of a level. It may be left out.",
+            example="evil 1;",
+            meant=("version",),
+        ),
+        Statement(
+            word="view",
+            form="view WIDTH HEIGHT;",
+            doc="How much of the world the screen shows, in metres, with the origin in the middle.",
+            example="view 16 9;",
+            meant=("camera", "screen", "size", "window"),
+        ),
+        Statement(
+            word="gravity",
+            form="gravity X Y;",
+            doc="The pull on everything that moves, in metres a second, each second. On Earth it is `0 -9.81`.",
+            example="gravity 0 -9.81;",
+        ),
+        Statement(
+            word="tilt",
+            form="tilt on;  tilt off;",
+            doc="Lets the tilt of the device turn gravity. Arrow keys or the mouse wheel stand in for it.",
+            example="tilt on;",
+        ),
+        Statement(
+            word="background",
+            form='background "COLOUR";  background "PICTURE";',
+            doc="What is behind everything: a colour, or a picture file in the level's folder.",
+            example='background "midnightblue";',
+            meant=("sky", "backdrop"),
+        ),
+        Statement(
+            word="seed",
+            form="seed NUMBER;",
+            doc="Where `random` starts from: a whole number. The same seed gives the same level every time.",
+            example="seed 7;",
+        ),
+        Statement(
+            word="new",
+            form="new KIND [NAME] SIZES [PROPERTIES];",
+            doc="Makes something. A name is needed only if you speak of it later, and no two things share one.",
+            example="new circle ball 0.5 at 0 3 physicsOn;",
+            meant=("create", "add", "make", "spawn", "object"),
+        ),
+        Statement(
+            word="text",
+            form='text [NAME] "WORDS" at X Y [PROPERTIES];',
+            doc="A line of words on the screen; `at` counts points from the top left corner. "
+            "A number's name in { } shows the number.",
+            example='let score 0;\ntext "Score {score}" at 20 20 size 24;',
+            meant=("print", "write", "label", "say", "show"),
+        ),
+        Statement(
+            word="let",
+            form="let NAME NUMBER;",
+            doc="Makes a number that has a name, such as a score. `set` changes it.",
+            example="let score 0;",
+            meant=("var", "variable", "number", "int", "float", "const"),
+        ),
+        Statement(
+            word="set",
+            form="set NAME PROPERTY VALUE;  set NAME NUMBER;",
+            doc="Changes a property of something, or a number made by `let`. What is gone stays gone.",
+            example="let score 0;\nnew circle ball 0.5 at 0 3 physicsOn;\n"
+            'on touch ball { set ball colour "red"; set score (score + 1); }',
+            meant=("change", "assign"),
+        ),
+        Statement(
+            word="impulse",
+            form="impulse NAME X Y;",
+            doc="A kick: changes speed at once. The same kick moves a heavy thing less.",
+            example='new circle ball 0.5 at 0 3 physicsOn;\non key "space" { impulse ball 0 5; }',
+            meant=("kick", "push", "hit", "jump", "throw"),
+        ),
+        Statement(
+            word="destroy",
+            form="destroy NAME;",
+            doc="Takes something out of the world. Destroying what is already gone does nothing.",
+            example="new circle ball 0.5 at 0 3 physicsOn;\nafter 5 { destroy ball; }",
+            meant=("delete", "remove", "kill", "erase"),
+        ),
+        Statement(
+            word="on",
+            form="on collide A [B] { ... }  on separate A [B] { ... }  on touch A { ... }  "
+            'on key "KEY" { ... }  on shake { ... }',
+            doc="Does what is in the block each time that something happens. A and B are names, or tags in quotes, "
+            "which stand for everything with that tag. Without B it happens with anything. "
+            "In the block `this` is the first of the two and `other` the second.",
+            example="new circle ball 0.5 at 0 3 physicsOn;\nnew rectangle floor 9 1 at 0 -3;\n"
+            'on collide ball floor { set ball colour "gold"; }\non key "up" { impulse ball 0 4; }',
+            meant=("when", "event", "onCollide", "onTouch", "onKey"),
+        ),
+        Statement(
+            word="after",
+            form="after SECONDS { ... }",
+            doc="Does what is in the block once, that many seconds from now.",
+            example="after 3 { new circle 0.5 at 0 3 physicsOn; }",
+            meant=("wait", "delay", "later", "sleep"),
+        ),
+        Statement(
+            word="every",
+            form="every SECONDS [times N] [as NAME] { ... }",
+            doc="Does what is in the block again and again, with that many seconds between. `times` says how often; "
+            "`as` gives the number of the round (1, 2, 3 ...) a name.",
+            example="every 0.5s times 20 as i { new circle 0.2 at (i / 4 - 2) 4 physicsOn; }",
+            meant=("interval", "always", "forever"),
+        ),
+        Statement(
+            word="repeat",
+            form="repeat N [as NAME] { ... }",
+            doc="Does what is in the block N times at once. `as` gives the number of the round (1, 2, 3 ...) a name. "
+            "Names made inside belong to one round.",
+            example="repeat 5 as i { new rectangle 1 1 at 0 (i - 0.5) physicsOn; }",
+            meant=("loop", "for", "while", "foreach"),
+        ),
+        Statement(
+            word="if",
+            form="if (CONDITION) { ... } [else { ... }]",
+            doc="Does what is in the block only if the condition holds. Compare with `<`, `>`, `<=`, `>=`, `==`, `!=`; "
+            "join with `and`, `or`, `not`.",
+            example="let lives 3;\nnew circle ball 0.5 at 0 3 physicsOn;\n"
+            "on touch ball { set lives (lives - 1); if (lives <= 0) { destroy ball; } }",
+        ),
+    )
+}
+EVENTS = {
+    "collide": "two things begin to touch each other",
+    "separate": "two things that touched each other part",
+    "touch": "a finger or the mouse presses something",
+    "key": "a key is pressed",
+    "shake": "the device is shaken",
+}
+EVENT_MEANT = {
+    "collision": "collide", "hit": "collide", "contact": "collide", "collides": "collide", "click": "touch",
+    "tap": "touch", "press": "key", "keypress": "key", "leave": "separate", "apart": "separate",
+}  # fmt: skip
+
+FUNCTIONS: Mapping[str, Word] = {
+    each.word: each
+    for each in (
+        Word(
+            word="random",
+            doc="A number between the two, another one each time; the same in every run of the level.",
+            example="new circle random(0.2, 0.6) at 0 3;",
+            meant=("rand", "rnd"),
+        ),
+        Word(word="sin", doc="Sine of an angle in degrees.", example="new circle 1 at sin(30) 0;"),
+        Word(word="cos", doc="Cosine of an angle in degrees.", example="new circle 1 at cos(60) 0;"),
+        Word(word="sqrt", doc="Square root.", example="new circle sqrt(2) at 0 0;", meant=("root",)),
+        Word(word="abs", doc="The number without its minus.", example="new circle abs(-1) at 0 0;"),
+        Word(word="min", doc="The smaller of two.", example="new circle min(1, 2) at 0 0;"),
+        Word(word="max", doc="The larger of two.", example="new circle max(1, 2) at 0 0;"),
+        Word(word="floor", doc="The whole number at or below it.", example="new circle floor(1.7) at 0 0;"),
+        Word(word="round", doc="The nearest whole number; halves go up.", example="new circle round(1.2) at 0 0;"),
+    )
+}
+ARITY = {"random": 2, "sin": 1, "cos": 1, "sqrt": 1, "abs": 1, "min": 2, "max": 2, "floor": 1, "round": 1}

@@ -1,0 +1,153 @@
+"""What an entry of the word tables is: a word, its values and ranges, its meaning and an example."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+LANGUAGE_VERSION = 1
+
+MAX_ROUNDS = 1000  # rounds of one repeat; beyond, a level takes seconds to load
+MAX_WORK = 20_000  # statements carried out by nested repeats at once; ten thousand bodies fill a screen many times over
+MAX_NESTING = 16  # blocks inside blocks
+MAX_CORNERS = 256  # corners of one polygon
+MAX_BODIES = 10_000  # bodies that a level keeps alive; `new` does nothing beyond, so a forgotten `every` stays playable
+FARTHEST = 100_000.0  # metres from the origin; float32 positions are a centimetre apart there
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """A unit that may follow a number: `value * times / over` of what its dimension is counted in."""
+
+    dimension: str
+    times: float = 1.0
+    over: float = 1.0
+
+
+UNITS: Mapping[str, Unit] = {
+    "m": Unit("length"),
+    "cm": Unit("length", over=100.0),
+    "mm": Unit("length", over=1000.0),
+    "km": Unit("length", times=1000.0),
+    "s": Unit("time"),
+    "ms": Unit("time", over=1000.0),
+    "min": Unit("time", times=60.0),
+    "deg": Unit("angle"),
+    "°": Unit("angle"),
+    "rad": Unit("angle", times=180.0, over=math.pi),
+    "kg": Unit("mass"),
+    "g": Unit("mass", over=1000.0),
+    "m/s": Unit("speed"),
+    "km/h": Unit("speed", over=3.6),
+    "deg/s": Unit("spin"),
+    "°/s": Unit("spin"),
+    "rad/s": Unit("spin", times=180.0, over=math.pi),
+}
+MEASURES = {
+    "length": "metres",
+    "time": "seconds",
+    "angle": "degrees",
+    "mass": "kilograms",
+    "speed": "metres a second",
+    "spin": "degrees a second",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """The numbers that are allowed."""
+
+    least: float | None = None
+    most: float | None = None
+    above: float | None = None
+
+    def holds(self, value: float) -> bool:
+        return (
+            math.isfinite(value)
+            and (self.least is None or value >= self.least)
+            and (self.most is None or value <= self.most)
+            and (self.above is None or value > self.above)
+        )
+
+    def __str__(self) -> str:
+        if self.least is not None and self.most is not None:
+            return f"from {plain(self.least)} to {plain(self.most)}"
+        if self.above is not None:
+            most = f" and at most {plain(self.most)}" if self.most is not None else ""
+            return f"more than {plain(self.above)}{most}"
+        if self.least is not None:
+            return f"{plain(self.least)} or more"
+        return f"at most {plain(self.most)}" if self.most is not None else "any number"
+
+
+def plain(value: float) -> str:
+    """A number as people write it.
+
+    >>> plain(1e6), plain(0.25)
+    ('1000000', '0.25')
+    """
+    return str(int(value)) if value == int(value) and abs(value) < 1e15 else f"{value:.6g}"
+
+
+ANY = Range()
+PLACE = Range(least=-FARTHEST, most=FARTHEST)
+SIZE = Range(above=0.0, most=10_000.0)
+FRACTION = Range(least=0.0, most=1.0)
+NOT_NEGATIVE = Range(least=0.0, most=1e6)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Word:
+    """A word with its meaning, an example that is a whole level, and what people write when they mean it."""
+
+    word: str
+    doc: str
+    example: str
+    meant: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Statement(Word):
+    """A word that starts a statement."""
+
+    form: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Size:
+    """One number of a kind's fixed size."""
+
+    name: str
+    range: Range = SIZE
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Kind(Word):
+    """Something that `new` makes: numbers or corners, then properties."""
+
+    family: str
+    """body, spring, force, drag, medium: which properties it takes."""
+    type: str
+    """The engine's class."""
+    sizes: tuple[Size, ...] = ()
+    corners: tuple[int, int] | None = None
+    """(fewest, most) corners, for kinds that are a list of points."""
+    needs: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Property(Word):
+    """A word that follows what is made, with its value."""
+
+    takes: str
+    """flag, whole, number, angle, length, time, mass, spin, point, direction, spot, colour, picture, tag, name, names,
+    place: what the parser reads and the checker asks of it."""
+    families: tuple[str, ...]
+    option: str = ""
+    """The engine's keyword argument."""
+    range: Range = ANY
+    settable: str = ""
+    """The attribute that `set` changes while the level plays; empty when it cannot be changed."""
+    spellings: tuple[str, ...] = ()
+    """Other spellings that mean the same and are no error."""

@@ -1,0 +1,87 @@
+"""Every word of the level language, and which one somebody meant who wrote another.
+
+The tables (statements.py, kinds.py, properties.py) drive the parser, the checker, the suggestions and the reference
+page docs/level-language.md, so a new word is one entry there. A later subject (joints, lights, sounds, fluids) adds its
+kinds and properties to them.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Mapping
+
+from evilengine.script.kinds import KINDS
+from evilengine.script.properties import PROPERTIES
+from evilengine.script.statements import ARITY, EVENT_MEANT, EVENTS, FUNCTIONS, STATEMENTS
+from evilengine.script.word import Kind, Property, Word
+
+PROPERTY_WORDS = frozenset(word for each in PROPERTIES for word in (each.word, *each.spellings))
+JOINING_WORDS = frozenset({"times", "as", "else", "and", "or", "not"})
+EVENT_NAMES = frozenset({"this", "other"})
+RESERVED = frozenset(STATEMENTS) | frozenset(KINDS) | PROPERTY_WORDS | JOINING_WORDS | EVENT_NAMES
+"""Words that cannot be names. Functions can: `floor` is one only with a ( right after it."""
+
+
+def property_of(word: str, family: str) -> Property | None:
+    """The property that `word` means for something of this family."""
+    families = ("body", "walls") if family == "walls" else (family,)
+    for each in PROPERTIES:
+        if (each.word == word or word in each.spellings) and not set(families).isdisjoint(each.families):
+            return each
+    return None
+
+
+def properties_of(family: str) -> list[Property]:
+    """Every property that something of this family takes."""
+    families = ("body", "walls") if family == "walls" else (family,)
+    return [each for each in PROPERTIES if not set(families).isdisjoint(each.families)]
+
+
+def family_of(kind: Kind) -> str:
+    """The family whose properties a kind takes: walls take one more than other bodies."""
+    return "walls" if kind.word == "walls" else kind.family
+
+
+def near(wrong: str, words: Iterable[str], meant: Mapping[str, str] | None = None) -> str | None:
+    """The one of `words` that somebody who wrote `wrong` most likely wanted, or None.
+
+    >>> near("rectangel", KINDS), near("Circle", KINDS), near("xyzzy", KINDS)
+    ('rectangle', 'circle', None)
+    """
+    candidates = list(words)
+    folded = {each.lower(): each for each in reversed(candidates)}
+    lower = wrong.lower()
+    if lower in folded:
+        return folded[lower]
+    if meant and lower in meant:
+        return meant[lower]
+    if len(wrong) > 40 or len(wrong) < 2:
+        return None
+    close = difflib.get_close_matches(lower, folded, n=1, cutoff=0.6)
+    return folded[close[0]] if close else None
+
+
+def meant_for(words: Iterable[Word]) -> dict[str, str]:
+    """What people write -> the word that they mean."""
+    return {wrong.lower(): each.word for each in words for wrong in each.meant}
+
+
+def near_statement(wrong: str) -> str | None:
+    return near(wrong, STATEMENTS, meant_for(STATEMENTS.values()))
+
+
+def near_kind(wrong: str) -> str | None:
+    return near(wrong, KINDS, meant_for(KINDS.values()))
+
+
+def near_property(wrong: str, family: str) -> str | None:
+    """The property word of this family, or failing that of any, that `wrong` is near to."""
+    own = properties_of(family)
+    return near(wrong, [each.word for each in own], meant_for(own))
+
+
+__all__ = [
+    "ARITY", "EVENTS", "EVENT_MEANT", "EVENT_NAMES", "FUNCTIONS", "JOINING_WORDS", "KINDS", "PROPERTIES",
+    "PROPERTY_WORDS", "RESERVED", "STATEMENTS", "family_of", "meant_for", "near", "near_kind", "near_property",
+    "near_statement", "properties_of", "property_of",
+]  # fmt: skip
