@@ -1,1 +1,6 @@
+"""Assets: images and fonts by name, decoded once; films written frame by frame (assets/film.py)."""
 
+from evilengine.assets.fonts import Fonts
+from evilengine.assets.images import Images
+
+__all__ = ["Fonts", "Images"]

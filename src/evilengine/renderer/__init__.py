@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from evilengine.values.checks import one_of
 from evilengine.values.drawlist import DrawList
+from evilengine.values.errors import DeviceError
 from evilengine.values.image import Image
 
 
@@ -32,3 +34,18 @@ class Renderer(Protocol):
 
     def close(self) -> None:
         """Let go of textures and target. Nothing may be drawn after."""
+
+
+def open_renderer(name: str = "auto") -> Renderer:
+    """The renderer called `name`: "soft" or "auto", the best that this machine has.
+
+    Raises ArgumentError for an unknown name, and DeviceError for "gl", which this version does not have.
+
+    >>> type(open_renderer("soft")).__name__
+    'SoftRenderer'
+    """
+    if one_of(name, "open_renderer", "name", ("auto", "soft", "gl")) == "gl":
+        raise DeviceError('renderer="gl": this version draws in software only; take "soft" or "auto"')
+    from evilengine.renderer.soft import SoftRenderer
+
+    return SoftRenderer()

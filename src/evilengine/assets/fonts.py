@@ -1,0 +1,210 @@
+"""Fonts: the built-in typeface at any size, as one picture of all its characters.
+
+Pillow's typeface is Latin without accents, so letters such as a-ring are put together here from what it has.
+"""
+
+from __future__ import annotations
+
+import unicodedata
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from evilengine.values import picture_files
+from evilengine.values.checks import number
+from evilengine.values.errors import AssetError
+from evilengine.values.font import Font, Glyph
+
+if TYPE_CHECKING:
+    from PIL.Image import Image as Picture
+    from PIL.ImageFont import FreeTypeFont
+
+UNKNOWN = "\ufffd"
+"""The glyph for characters that a font does not have: an empty box."""
+
+CHARACTERS = "".join(map(chr, (*range(0x20, 0x7F), *range(0xA0, 0x100)))) + "\u2018\u2019\u201c\u201d\u2026\u2122"
+"""ASCII, Latin-1, and a few more that the typeface has. Those that cannot be drawn get the box."""
+
+MARKS = {"\u0300": "`", "\u0301": "\xb4", "\u0302": "^", "\u0303": "~", "\u0308": "..", "\u030a": "\xb0"}
+"""What stands for each combining accent: above a letter, centred."""
+
+BESIDE = {"\xe6": "ae", "\xc6": "AE", "\xa0": " ", "\xd7": "x"}
+"""Characters as others in a row, close together."""
+
+OVER = {"\xf8": "o/", "\xd8": "O/", "\xe7": "c,", "\xc7": "C,"}
+"""Characters as two on the same spot."""
+
+TURNED = {"\xa1": "!", "\xbf": "?"}
+"""Characters as others upside down."""
+
+MARGIN = 1
+"""Empty pixels round each glyph, so that smooth edges are whole and neighbours in the picture do not shine through."""
+
+SMALLEST, LARGEST = 4, 512
+
+
+class Fonts:
+    """Makes each size of the built-in typeface once.
+
+    >>> font = Fonts().load(16)
+    >>> font.glyphs["i"].advance < font.glyphs["m"].advance
+    True
+    """
+
+    def __init__(self) -> None:
+        self._made: dict[int, Font] = {}
+
+    def load(self, size: float = 16) -> Font:
+        """The typeface at `size` pixels, rounded to a whole number from 4 to 512."""
+        pixels = round(number(size, "Fonts.load", "size", least=SMALLEST, most=LARGEST))
+        if pixels not in self._made:
+            self._made[pixels] = _make(pixels)
+        return self._made[pixels]
+
+
+@dataclass(slots=True)
+class _Cell:
+    """A drawn character: coverage, where its top left corner lies from the pen, and where it goes in the atlas."""
+
+    shape: Picture
+    left: int
+    top: int
+    advance: int
+    at: tuple[int, int] = (0, 0)
+
+    @property
+    def right(self) -> int:
+        return self.left + self.shape.width
+
+    @property
+    def bottom(self) -> int:
+        return self.top + self.shape.height
+
+
+def _make(size: int) -> Font:
+    from PIL import Image
+
+    pen = _Pen(size)
+    cells = {character: pen.draw(character) for character in CHARACTERS}
+    cells[UNKNOWN] = pen.box()
+    width, height = _pack(cells)
+    shapes = Image.new("L", (width, height))
+    glyphs = {}
+    for character, cell in cells.items():
+        x, y = cell.at
+        shapes.paste(cell.shape, cell.at)
+        place = (float(cell.left), float(cell.top), float(cell.right), float(cell.bottom))
+        texture = (x / width, y / height, (x + cell.shape.width) / width, (y + cell.shape.height) / height)
+        glyphs[character] = Glyph(float(cell.advance), place, texture)
+    atlas = Image.new("RGBA", (width, height), (255, 255, 255, 0))
+    atlas.putalpha(shapes)
+    ascent, descent = pen.face.getmetrics()
+    return Font(size, float(ascent), float(ascent + descent), picture_files.from_pillow(atlas), glyphs)
+
+
+class _Pen:
+    """Draws characters at one size."""
+
+    def __init__(self, size: int) -> None:
+        self.size = size
+        self.face = _face(size)
+        self._missing = bytes(self.face.getmask("\uffff"))
+        self._stroke = max(1, size // 16)
+
+    def draw(self, character: str) -> _Cell:
+        """The character, put together from others if the typeface lacks it, or the box."""
+        parts = unicodedata.normalize("NFD", character)
+        if character in BESIDE:
+            return self._text(BESIDE[character], closer=self.size // 8)
+        if character in OVER:
+            under, over = (self._text(part) for part in OVER[character])
+            return _stacked(under, over, (under.left + under.right - over.left - over.right) // 2, 0)
+        if character in TURNED:
+            return self._turned(TURNED[character])
+        if bytes(self.face.getmask(character)) != self._missing:
+            return self._text(character)
+        if len(parts) == 2 and parts[1] in MARKS:
+            return self._accented(parts[0], MARKS[parts[1]])
+        return self.box()
+
+    def box(self) -> _Cell:
+        from PIL import Image, ImageDraw
+
+        width, height = self.size // 2, (3 * self.size) // 4
+        shape = Image.new("L", (width + 2 * MARGIN, height + 2 * MARGIN))
+        corners = (MARGIN, MARGIN, width - 1 + MARGIN, height - 1 + MARGIN)
+        ImageDraw.Draw(shape).rectangle(corners, outline=255, width=self._stroke)
+        return _Cell(shape, 0, -height - MARGIN, width + 2 * MARGIN + self._stroke)
+
+    def _text(self, text: str, closer: int = 0) -> _Cell:
+        """Characters in a row, `closer` pixels to each other than they would be."""
+        from PIL import Image, ImageDraw
+
+        left, top, right, bottom = (round(edge) for edge in self.face.getbbox(text, anchor="ls"))
+        size = (max(right - left, 0) + 2 * MARGIN, max(bottom - top, 0) + 2 * MARGIN)
+        shape = Image.new("L", size)
+        draw, x = ImageDraw.Draw(shape), 0
+        for character in text:
+            draw.text((x + MARGIN - left, MARGIN - top), character, fill=255, font=self.face, anchor="ls")
+            # Whole advances: text that starts on a whole pixel is sharp all along.
+            x += round(self.face.getlength(character)) - closer
+        return _trimmed(_Cell(shape, left - MARGIN, top - MARGIN, x + closer))
+
+    def _accented(self, letter: str, mark: str) -> _Cell:
+        under, over = self._text(letter), self._text(mark)
+        if letter == "i":  # its dot makes room
+            height = self._text("x").top
+            under.shape.paste(0, (0, 0, under.shape.width, height - under.top))
+            under = _Cell(
+                under.shape.crop((0, height - under.top, *under.shape.size)), under.left, height, under.advance
+            )
+        rise = under.top + MARGIN - self._stroke - (over.bottom - MARGIN)
+        return _stacked(under, over, (under.left + under.right - over.left - over.right) // 2, rise)
+
+    def _turned(self, character: str) -> _Cell:
+        """Upside down, reaching as far below the middle of small letters as it did above."""
+        from PIL.Image import Transpose
+
+        upright, x_height = self._text(character), -self._text("x").top - MARGIN
+        top = -x_height - upright.bottom
+        return _Cell(upright.shape.transpose(Transpose.ROTATE_180), upright.left, top, upright.advance)
+
+
+def _trimmed(cell: _Cell) -> _Cell:
+    """The cell without its empty sides, but for the margin. Pillow's boxes reach down to the baseline."""
+    left, top, right, bottom = cell.shape.getbbox() or (MARGIN, MARGIN, MARGIN, MARGIN)
+    around = (left - MARGIN, top - MARGIN, right + MARGIN, bottom + MARGIN)
+    return _Cell(cell.shape.crop(around), cell.left + around[0], cell.top + around[1], cell.advance)
+
+
+def _stacked(under: _Cell, over: _Cell, right: int, down: int) -> _Cell:
+    """Two cells as one, `over` moved by (right, down)."""
+    from PIL import Image, ImageChops
+
+    left, top = min(under.left, over.left + right), min(under.top, over.top + down)
+    size = (max(under.right, over.right + right) - left, max(under.bottom, over.bottom + down) - top)
+    shape, other = Image.new("L", size), Image.new("L", size)
+    shape.paste(under.shape, (under.left - left, under.top - top))
+    other.paste(over.shape, (over.left + right - left, over.top + down - top))
+    return _Cell(ImageChops.lighter(shape, other), left, top, under.advance)
+
+
+def _face(size: int) -> FreeTypeFont:
+    from PIL import ImageFont
+
+    face = ImageFont.load_default(size)
+    if not isinstance(face, ImageFont.FreeTypeFont):
+        raise AssetError("built-in font: this Pillow lacks FreeType; install Pillow from PyPI, whose wheels have it")
+    return face
+
+
+def _pack(cells: dict[str, _Cell]) -> tuple[int, int]:
+    """Lay the cells in rows, about as wide as high, and return the atlas's size."""
+    width = max(cell.shape.width for cell in cells.values())
+    width = max(width, round((1.1 * sum(cell.shape.width * cell.shape.height for cell in cells.values())) ** 0.5))
+    x = y = row = 0
+    for cell in sorted(cells.values(), key=lambda cell: -cell.shape.height):  # tall ones first
+        if x + cell.shape.width > width:
+            x, y, row = 0, y + row, 0
+        cell.at = (x, y)
+        x, row = x + cell.shape.width, max(row, cell.shape.height)
+    return width, y + row
