@@ -10,11 +10,9 @@
 
 namespace evil {
 
-inline constexpr std::size_t kMaxCorners =
-    4096; // checks and triangulation take time with the square of it: 0.1 s at worst
-inline constexpr float kMaxCoordinate = 1e5f; // metres; beyond, float steps exceed a centimetre and contacts rattle
-inline constexpr float kMinFeature =
-    1e-5f; // metres between two corners, or mean thickness; below, normals lose their meaning
+inline constexpr std::size_t kMaxCorners = 4096; // time grows with the square of it at worst; tens of milliseconds then
+inline constexpr float kMaxCoordinate = 1e5f;    // metres; beyond, float steps exceed a centimetre and contacts rattle
+inline constexpr float kMinFeature = 1e-5f; // metres between corners, or mean thickness; below, normals mean nothing
 
 enum class PolygonFault : std::uint8_t {
     none,

@@ -37,6 +37,7 @@ public:
             edges_[b].twin = a;
             diagonals_.push_back(a);
         }
+        std::ranges::sort(diagonals_); // in the order in which the ears were cut
     }
 
     // Flips diagonals until each is the better of the two of its quadrilateral (Lawson 1977): the triangles become as round
@@ -53,11 +54,14 @@ public:
         }
     }
 
-    // Takes out diagonals that no convexity needs (Hertel and Mehlhorn 1983), the longest first. Two at most stay for each
-    // reflex corner, so there are at most four times as many parts as there must be.
-    void merge() {
+    void sort_longest_first() {
         auto length_of = [this](std::uint32_t e) { return length_squared(corners_[to(e)] - corners_[from(e)]); };
         std::ranges::sort(diagonals_, {}, [&](std::uint32_t e) { return std::tuple(-length_of(e), e); });
+    }
+
+    // Takes out diagonals that no convexity needs (Hertel and Mehlhorn 1983), in their order. Two at most stay for each
+    // reflex corner, so there are at most four times as many parts as there must be.
+    void merge() {
         for (std::uint32_t e : diagonals_) {
             HalfEdge &a = edges_[e], &b = edges_[a.twin];
             if (turn(corner(a.previous), corner(e), to_corner(b.next)) < 0) continue;
@@ -84,7 +88,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMaxRounds = 32; // a thousand corners settle in fewer than ten
+    static constexpr std::size_t kMaxRounds = 32; // a thousand corners settle sooner
 
     std::uint32_t from(std::uint32_t e) const { return edges_[e].from; }
     std::uint32_t to(std::uint32_t e) const { return edges_[edges_[e].next].from; }
@@ -139,8 +143,14 @@ std::vector<std::vector<std::uint32_t>> split_convex(std::span<const Vec2> corne
     if (!triangulate(corners, triangles)) return {};
     Faces faces(corners, triangles);
     faces.make_round();
+
+    // Longest first makes the roundest parts, the order of the ears makes fewer in star-like outlines. Few comes first.
+    Faces by_ears = faces;
+    faces.sort_longest_first();
     faces.merge();
-    return faces.rings();
+    by_ears.merge();
+    auto round = faces.rings(), few = by_ears.rings();
+    return few.size() < round.size() ? few : round;
 }
 
 } // namespace evil
