@@ -9,7 +9,7 @@ struct Rot { // a rotation as cosine and sine
     float c = 1.0f, s = 0.0f;
     friend constexpr bool operator==(Rot, Rot) = default;
 };
-inline Rot rotation(float angle) {
+inline Rot rotation(double angle) {
     SinCos f = sincos(angle);
     return {f.cos, f.sin};
 }

@@ -1,0 +1,64 @@
+#pragma once
+// Contacts: pairs of convex pieces whose bounds overlap, and the manifold where they touch.
+#include "bodies.hpp"
+#include "shapes/shapes.hpp"
+
+namespace evil {
+
+inline constexpr float kSlop = 0.005f;       // metres of overlap left in a resting contact; at zero, stacks jitter as contacts flicker
+inline constexpr float kMargin = 4 * kSlop;  // metres: pairs nearer than this get a manifold before they touch (speculative)
+
+struct ManifoldPoint {
+    Vec2 anchor_a, anchor_b;        // from each body's centre of mass, world axes
+    float separation = 0.0f;        // metres; negative: overlap
+    float normal_impulse = 0.0f;    // newton seconds of the last substep: where the next step starts from
+    float tangent_impulse = 0.0f;
+    float total_impulse = 0.0f;     // normal impulse over the whole last step
+    float closing_speed = 0.0f;     // m/s along the normal before the last step was solved; negative: they part
+    std::uint32_t id = 0;           // which features met: the same id is the same point
+};
+
+// The axis that separated a pair last time, or that was the contact's normal: tried first (SPEC C3).
+struct Axis {
+    std::uint16_t edge = 0;
+    bool of_b = false, known = false;
+};
+
+struct Contact {
+    std::uint32_t piece_a = 0, piece_b = 0; // key, piece_a < piece_b
+    std::uint32_t shape_a = 0, shape_b = 0, body_a = 0, body_b = 0;
+    Axis axis;
+    std::uint8_t count = 0;                 // points in the manifold
+    bool touching = false;                  // they overlapped, or pushed each other, in the last step
+    Vec2 normal;                            // world, from a to b
+    float friction = 0.0f, restitution = 0.0f;
+    ManifoldPoint points[2];
+};
+
+struct Pair {
+    std::uint32_t a = 0, b = 0; // pieces, a < b
+    friend auto operator<=>(Pair, Pair) = default;
+};
+
+// Two shapes that touched at the end of the last step; what events are derived from.
+struct Touch {
+    BodyRef a, b; // a was created first
+    ShapeRef shape_a, shape_b;
+    std::uint64_t order[4] = {}; // serials of the bodies, then of the shapes: the order of events
+    bool gone = false;           // one of them was destroyed since: its end is still to be told
+    Vec2 point, normal;          // normal from a to b
+    float depth = 0.0f, impulse = 0.0f, speed = 0.0f;
+};
+
+struct Contacts {
+    std::vector<Contact> rows;     // State, sorted by key
+    std::vector<Touch> touches;    // State, sorted by order
+    std::vector<Touch> begun, ended; // results of the last step
+    struct {                       // Scratch
+        std::vector<Pair> pairs;
+        std::vector<Contact> rows;
+        std::vector<Touch> touches;
+    } scratch;
+};
+
+} // namespace evil

@@ -1,0 +1,147 @@
+#include "shapes/shapes.hpp"
+#include "shapes/polygon.hpp"
+
+namespace evil {
+namespace {
+
+std::uint32_t corner_count(const Shapes& shapes, std::uint32_t shape, std::size_t part) {
+    return shapes.rows[shape].kind == ShapeKind::polygon ? static_cast<std::uint32_t>(shapes.parts[shape][part].size()) : 0;
+}
+
+void bake_circle(Piece& piece, const Shape& shape, const Affine& m) {
+    piece.centre = {m.tx, m.ty};
+    piece.radius = shape.radius * length({m.a, m.b});
+    piece.reach = piece.radius;
+}
+
+void bake_polygon(Shapes& shapes, Piece& piece, std::span<const Vec2> corners, const Part& part, const Affine& m) {
+    Vec2* points = shapes.points.data() + piece.first;
+    Vec2* normals = shapes.normals.data() + piece.first;
+    bool mirrored = determinant(m) < 0.0f; // a mirrored polygon would run clockwise
+    std::uint32_t n = piece.count;
+    for (std::uint32_t i = 0; i < n; ++i) points[i] = apply(m, corners[part[mirrored ? n - 1 - i : i]]);
+    Vec2 low = points[0], high = points[0];
+    for (std::uint32_t i = 0; i < n; ++i) {
+        normals[i] = normalised(right_of(points[i + 1 < n ? i + 1 : 0] - points[i]));
+        low = min(low, points[i]);
+        high = max(high, points[i]);
+    }
+    piece.centre = 0.5f * (low + high);
+    piece.radius = 0.0f;
+    piece.reach = 0.0f;
+    for (std::uint32_t i = 0; i < n; ++i) piece.reach = std::max(piece.reach, length(points[i] - piece.centre));
+}
+
+void release_pieces(Shapes& shapes, std::uint32_t shape) {
+    for (std::uint32_t p = shapes.rows[shape].first_piece; p != kNone; p = shapes.pieces[p].next) {
+        shapes.live_points -= shapes.pieces[p].count;
+        shapes.piece_slots.release(p);
+    }
+    shapes.rows[shape].first_piece = kNone;
+    if (shapes.points.size() > 2 * shapes.live_points + 64) pack(shapes);
+}
+
+Moments about_origin(const MassProperties& m) { // the parallel axis theorem
+    double x = m.centre.x, y = m.centre.y;
+    return {m.mass, m.mass * x, m.mass * y, m.inertia + m.mass * (x * x + y * y)};
+}
+
+} // namespace
+
+std::uint32_t add_shape_row(Shapes& shapes, const Shape& shape, std::vector<Vec2> corners, std::vector<Part> parts) {
+    std::uint32_t slot = shapes.slots.take();
+    if (slot >= shapes.rows.size()) {
+        shapes.rows.resize(slot + 1);
+        shapes.corners.resize(slot + 1);
+        shapes.parts.resize(slot + 1);
+    }
+    shapes.rows[slot] = shape;
+    shapes.rows[slot].serial = shapes.next_serial++;
+    shapes.corners[slot] = std::move(corners);
+    shapes.parts[slot] = std::move(parts);
+
+    std::size_t count = shape.kind == ShapeKind::circle ? 1 : shapes.parts[slot].size();
+    std::uint32_t last = kNone;
+    for (std::size_t i = 0; i < count; ++i) {
+        std::uint32_t p = shapes.piece_slots.take();
+        if (p >= shapes.pieces.size()) shapes.pieces.resize(p + 1);
+        Piece& piece = shapes.pieces[p] = {};
+        piece.shape = slot;
+        piece.body = shape.body;
+        piece.first = static_cast<std::uint32_t>(shapes.points.size());
+        piece.count = corner_count(shapes, slot, i);
+        shapes.points.resize(shapes.points.size() + piece.count);
+        shapes.normals.resize(shapes.points.size());
+        shapes.live_points += piece.count;
+        (last == kNone ? shapes.rows[slot].first_piece : shapes.pieces[last].next) = p;
+        last = p;
+    }
+    return slot;
+}
+
+void remove_shape_row(Shapes& shapes, std::uint32_t shape) {
+    release_pieces(shapes, shape);
+    shapes.corners[shape].clear();
+    shapes.parts[shape].clear();
+    shapes.rows[shape] = {};
+    shapes.slots.release(shape);
+}
+
+void bake(Shapes& shapes, std::uint32_t shape, Vec2 scale) {
+    const Shape& row = shapes.rows[shape];
+    Affine m = definition_to_body(row, scale);
+    std::size_t part = 0;
+    for (std::uint32_t p = row.first_piece; p != kNone; p = shapes.pieces[p].next, ++part) {
+        Piece& piece = shapes.pieces[p];
+        if (row.kind == ShapeKind::circle)
+            bake_circle(piece, row, m);
+        else
+            bake_polygon(shapes, piece, shapes.corners[shape], shapes.parts[shape][part], m);
+    }
+}
+
+void pack(Shapes& shapes) {
+    std::vector<Vec2> points, normals;
+    points.reserve(shapes.live_points);
+    normals.reserve(shapes.live_points);
+    for (std::uint32_t p = 0; p < shapes.piece_slots.size(); ++p) {
+        if (!shapes.piece_slots.taken(p)) continue;
+        Piece& piece = shapes.pieces[p];
+        auto first = static_cast<std::uint32_t>(points.size());
+        std::span<const Vec2> corners = points_of(shapes, piece), outward = normals_of(shapes, piece);
+        points.insert(points.end(), corners.begin(), corners.end());
+        normals.insert(normals.end(), outward.begin(), outward.end());
+        piece.first = first;
+    }
+    shapes.points = std::move(points);
+    shapes.normals = std::move(normals);
+}
+
+bool is_similarity(const Affine& m) {
+    float u = m.a * m.a + m.b * m.b, v = m.c * m.c + m.d * m.d, skew = m.a * m.c + m.b * m.d;
+    constexpr float kTolerance = 1e-4f; // what a few float32 matrix products lose
+    return std::abs(u - v) <= kTolerance * std::max(u, v) && std::abs(skew) <= kTolerance * std::max(u, v);
+}
+
+Moments moments(const Shapes& shapes, std::uint32_t shape, Vec2 scale) {
+    const Shape& row = shapes.rows[shape];
+    if (row.kind == ShapeKind::particle) {
+        double m = row.mass, x = scale.x * row.local.tx, y = scale.y * row.local.ty;
+        return {m, m * x, m * y, m * (x * x + y * y)};
+    }
+    Moments sum;
+    for (std::uint32_t p = row.first_piece; p != kNone; p = shapes.pieces[p].next) {
+        const Piece& piece = shapes.pieces[p];
+        MassProperties m = row.kind == ShapeKind::circle ? circle_mass(piece.radius, row.material.density)
+                                                         : polygon_mass(points_of(shapes, piece), row.material.density);
+        if (row.kind == ShapeKind::circle) m.centre = piece.centre;
+        Moments part = about_origin(m);
+        sum.mass += part.mass;
+        sum.x += part.x;
+        sum.y += part.y;
+        sum.inertia += part.inertia;
+    }
+    return sum;
+}
+
+} // namespace evil

@@ -1,0 +1,384 @@
+#include "snapshot.hpp"
+#include "archive.hpp"
+#include <memory>
+
+namespace evil {
+namespace {
+
+constexpr char kMagic[8] = {'E', 'V', 'I', 'L', 'W', 'R', 'L', 'D'};
+
+} // namespace
+
+// ---- fields, in one place for both directions (not in the unnamed namespace: archives find them by their argument) ---
+
+template <class A, Like<std::string> V> void visit(A& ar, V& text) {
+    std::size_t n = ar.count(text.size());
+    if constexpr (A::reading) text.resize(n);
+    for (auto& c : text) ar.value(c);
+}
+
+template <class A, class Element> void visit(A& ar, std::vector<Element>& list);
+template <class A, class Element> void visit(A& ar, const std::vector<Element>& list);
+
+template <class A, Like<Body> V> void visit(A& ar, V& b) {
+    visit(ar, b.kind, b.bullet, b.touchable, b.awake, b.pose, b.angle, b.scale, b.centre, b.local_centre, b.velocity,
+          b.spin, b.force, b.torque, b.acceleration, b.mass, b.inv_mass, b.inertia, b.inv_inertia, b.set_mass, b.damping,
+          b.angular_damping, b.drag, b.gravity_scale, b.density, b.friction, b.restitution, b.still_time, b.serial, b.born,
+          b.first_shape, b.last_shape);
+}
+
+template <class A, Like<Shape> V> void visit(A& ar, V& s) {
+    visit(ar, s.kind, s.body, s.next, s.first_piece, s.local, s.radius, s.mass, s.material.density, s.material.friction,
+          s.material.restitution, s.serial, s.born);
+}
+
+template <class A, Like<ManifoldPoint> V> void visit(A& ar, V& p) {
+    visit(ar, p.anchor_a, p.anchor_b, p.separation, p.normal_impulse, p.tangent_impulse, p.total_impulse, p.closing_speed, p.id);
+}
+
+template <class A, Like<Contact> V> void visit(A& ar, V& c) {
+    visit(ar, c.piece_a, c.piece_b, c.shape_a, c.shape_b, c.body_a, c.body_b, c.axis.edge, c.axis.of_b, c.axis.known,
+          c.count, c.touching, c.normal, c.friction, c.restitution, c.points[0], c.points[1]);
+}
+
+template <class A, Like<Touch> V> void visit(A& ar, V& t) { // references by slot; generations are a process's own
+    visit(ar, t.a.slot, t.b.slot, t.shape_a.slot, t.shape_b.slot, t.order[0], t.order[1], t.order[2], t.order[3], t.gone,
+          t.point, t.normal, t.depth, t.impulse, t.speed);
+}
+
+template <class A, Like<Force> V> void visit(A& ar, V& f) {
+    visit(ar, f.kind, f.everywhere, f.vector, f.anchor, f.at_anchor, f.target, f.stiffness, f.rest_length, f.damping,
+          f.linear, f.quadratic, f.limit, f.serial, f.born);
+    visit(ar, f.bodies);
+    visit(ar, f.note);
+}
+
+template <class A, Like<Area> V> void visit(A& ar, V& a) {
+    visit(ar, a.centre, a.radius);
+    visit(ar, a.parts);
+}
+
+template <class A, class Element> void visit(A& ar, std::vector<Element>& list) {
+    list.resize(ar.count());
+    for (auto& element : list) visit(ar, element);
+}
+template <class A, class Element> void visit(A& ar, const std::vector<Element>& list) {
+    ar.count(list.size());
+    for (auto& element : list) visit(ar, element);
+}
+
+namespace {
+
+// ---- tables: only taken slots, each with its number ------------------------------------------------------------
+
+void write_table(Writer& ar, const Slots& slots, auto&& write_row) {
+    ar.count(slots.count());
+    for (std::uint32_t slot = 0; slot < slots.size(); ++slot) {
+        if (!slots.taken(slot)) continue;
+        ar.value(slot);
+        write_row(slot);
+    }
+}
+
+// Rising slot numbers, none so high that the table would be mostly air: a forged file may not ask for all memory.
+void read_table(Reader& ar, std::vector<bool>& taken, auto&& grow, auto&& read_row) {
+    std::size_t n = ar.count();
+    for (std::size_t i = 0; i < n && ar.ok; ++i) {
+        std::uint32_t slot = 0;
+        ar.value(slot);
+        if (slot < taken.size() || slot > (1u << 24)) ar.ok = false;
+        if (!ar.ok) return;
+        taken.resize(slot + 1, false);
+        taken[slot] = true;
+        grow(slot + 1);
+        read_row(slot);
+    }
+}
+
+struct State { // what restore reads before it touches the world
+    Vec2 gravity;
+    bool sleep_allowed = true;
+    std::uint64_t steps = 0;
+    double time = 0.0;
+    Bodies bodies;
+    Shapes shapes;
+    Contacts contacts;
+    Forces forces;
+    std::vector<bool> body_taken, shape_taken, piece_taken, force_taken;
+};
+
+void write_payload(Writer& ar, const World& w) {
+    visit(ar, w.gravity, w.sleep_allowed, w.steps, w.time);
+    visit(ar, w.bodies.next_serial, w.shapes.next_serial, w.forces.next_serial);
+    write_table(ar, w.bodies.slots, [&](std::uint32_t slot) {
+        visit(ar, w.bodies.rows[slot]);
+        visit(ar, w.bodies.tags[slot]);
+    });
+    write_table(ar, w.shapes.slots, [&](std::uint32_t slot) {
+        visit(ar, w.shapes.rows[slot]);
+        visit(ar, w.shapes.corners[slot]);
+        visit(ar, w.shapes.parts[slot]);
+    });
+    write_table(ar, w.shapes.piece_slots, [&](std::uint32_t slot) { // the rest of a piece follows from its shape
+        visit(ar, w.shapes.pieces[slot].shape, w.shapes.pieces[slot].next);
+    });
+    write_table(ar, w.forces.slots, [&](std::uint32_t slot) {
+        visit(ar, w.forces.rows[slot]);
+        visit(ar, w.forces.areas[slot]);
+    });
+    visit(ar, w.contacts.rows);
+    visit(ar, w.contacts.touches);
+}
+
+void read_payload(Reader& ar, State& s) {
+    visit(ar, s.gravity, s.sleep_allowed, s.steps, s.time);
+    visit(ar, s.bodies.next_serial, s.shapes.next_serial, s.forces.next_serial);
+    read_table(
+        ar, s.body_taken, [&](std::size_t n) { s.bodies.rows.resize(n), s.bodies.tags.resize(n); },
+        [&](std::uint32_t slot) {
+            visit(ar, s.bodies.rows[slot]);
+            visit(ar, s.bodies.tags[slot]);
+        });
+    read_table(
+        ar, s.shape_taken,
+        [&](std::size_t n) { s.shapes.rows.resize(n), s.shapes.corners.resize(n), s.shapes.parts.resize(n); },
+        [&](std::uint32_t slot) {
+            visit(ar, s.shapes.rows[slot]);
+            visit(ar, s.shapes.corners[slot]);
+            visit(ar, s.shapes.parts[slot]);
+        });
+    read_table(
+        ar, s.piece_taken, [&](std::size_t n) { s.shapes.pieces.resize(n); },
+        [&](std::uint32_t slot) { visit(ar, s.shapes.pieces[slot].shape, s.shapes.pieces[slot].next); });
+    read_table(
+        ar, s.force_taken, [&](std::size_t n) { s.forces.rows.resize(n), s.forces.areas.resize(n); },
+        [&](std::uint32_t slot) {
+            visit(ar, s.forces.rows[slot]);
+            visit(ar, s.forces.areas[slot]);
+        });
+    visit(ar, s.contacts.rows);
+    visit(ar, s.contacts.touches);
+    ar.ok = ar.ok && ar.at_end();
+}
+
+// ---- a snapshot is believed only when every index in it leads somewhere ------------------------------------------
+
+bool taken(const std::vector<bool>& list, std::uint32_t slot) { return slot < list.size() && list[slot]; }
+
+bool bodies_hold_together(const State& s) {
+    for (std::uint32_t i = 0; i < s.body_taken.size(); ++i) {
+        if (!s.body_taken[i]) continue;
+        const Body& b = s.bodies.rows[i];
+        if (b.kind > BodyKind::dynamic || b.serial >= s.bodies.next_serial) return false;
+        if ((b.first_shape == kNone) != (b.last_shape == kNone)) return false;
+        std::size_t steps = 0;
+        std::uint32_t last = kNone;
+        for (std::uint32_t shape = b.first_shape; shape != kNone; shape = s.shapes.rows[shape].next) {
+            if (!taken(s.shape_taken, shape) || s.shapes.rows[shape].body != i || ++steps > s.shape_taken.size()) return false;
+            last = shape;
+        }
+        if (last != b.last_shape) return false;
+    }
+    return true;
+}
+
+bool polygon_holds_together(const State& s, std::uint32_t i) {
+    if (s.shapes.corners[i].size() < 3 || s.shapes.parts[i].empty()) return false;
+    for (const Part& part : s.shapes.parts[i]) {
+        if (part.size() < 3) return false;
+        for (std::uint32_t corner : part)
+            if (corner >= s.shapes.corners[i].size()) return false;
+    }
+    return true;
+}
+
+bool shapes_hold_together(const State& s) {
+    std::size_t pieces = 0;
+    for (std::uint32_t i = 0; i < s.shape_taken.size(); ++i) {
+        if (!s.shape_taken[i]) continue;
+        const Shape& shape = s.shapes.rows[i];
+        if (shape.kind > ShapeKind::particle || !taken(s.body_taken, shape.body)) return false;
+        if (shape.serial >= s.shapes.next_serial) return false;
+        if (shape.kind == ShapeKind::polygon ? !polygon_holds_together(s, i) : !s.shapes.parts[i].empty()) return false;
+        std::size_t wanted = shape.kind == ShapeKind::circle ? 1 : s.shapes.parts[i].size(), found = 0;
+        for (std::uint32_t p = shape.first_piece; p != kNone; p = s.shapes.pieces[p].next)
+            if (!taken(s.piece_taken, p) || s.shapes.pieces[p].shape != i || ++found > wanted) return false;
+        if (found != wanted) return false;
+        pieces += found;
+    }
+    return pieces == static_cast<std::size_t>(std::ranges::count(s.piece_taken, true));
+}
+
+bool forces_hold_together(const State& s) {
+    for (std::uint32_t i = 0; i < s.force_taken.size(); ++i) {
+        if (!s.force_taken[i]) continue;
+        const Force& f = s.forces.rows[i];
+        if (f.kind > ForceKind::python || (f.target != kNone && !taken(s.body_taken, f.target))) return false;
+        if (f.serial >= s.forces.next_serial) return false;
+        for (std::uint32_t body : f.bodies)
+            if (!taken(s.body_taken, body)) return false;
+    }
+    return true;
+}
+
+bool contacts_hold_together(const State& s) {
+    for (std::size_t i = 0; i < s.contacts.rows.size(); ++i) {
+        const Contact& c = s.contacts.rows[i];
+        bool rising = i == 0 || Pair{s.contacts.rows[i - 1].piece_a, s.contacts.rows[i - 1].piece_b} < Pair{c.piece_a, c.piece_b};
+        if (!rising || c.count > 2 || !taken(s.piece_taken, c.piece_a) || !taken(s.piece_taken, c.piece_b)) return false;
+        const Piece &p = s.shapes.pieces[c.piece_a], &q = s.shapes.pieces[c.piece_b];
+        if (c.shape_a != p.shape || c.shape_b != q.shape) return false;
+        if (c.body_a != s.shapes.rows[p.shape].body || c.body_b != s.shapes.rows[q.shape].body) return false;
+    }
+    for (const Touch& t : s.contacts.touches) {
+        bool there = taken(s.body_taken, t.a.slot) && taken(s.body_taken, t.b.slot) && taken(s.shape_taken, t.shape_a.slot) &&
+                     taken(s.shape_taken, t.shape_b.slot);
+        if (!t.gone && !there) return false;
+    }
+    return true;
+}
+
+// What was not written: pieces' bodies, ranges and baked geometry.
+void rebuild_pieces(State& s) {
+    for (std::uint32_t shape = 0; shape < s.shape_taken.size(); ++shape) {
+        if (!s.shape_taken[shape]) continue;
+        const Shape& row = s.shapes.rows[shape];
+        std::size_t part = 0;
+        for (std::uint32_t p = row.first_piece; p != kNone; p = s.shapes.pieces[p].next, ++part) {
+            Piece& piece = s.shapes.pieces[p];
+            piece.body = row.body;
+            piece.first = static_cast<std::uint32_t>(s.shapes.points.size());
+            piece.count = row.kind == ShapeKind::polygon ? static_cast<std::uint32_t>(s.shapes.parts[shape][part].size()) : 0;
+            s.shapes.points.resize(s.shapes.points.size() + piece.count);
+            s.shapes.normals.resize(s.shapes.points.size());
+            s.shapes.live_points += piece.count;
+        }
+        bake(s.shapes, shape, s.bodies.rows[row.body].scale);
+    }
+}
+
+// ---- references across a restore -----------------------------------------------------------------------------
+
+// The same object: created as the same one, at the same step. (Two histories could still have made two objects alike in
+// both; then they are alike in everything that made them.)
+template <class Rows> std::vector<bool> same_objects(const Slots& slots, const Rows& before, const Rows& after) {
+    std::vector<bool> same(after.size(), false);
+    for (std::uint32_t i = 0; i < after.size() && i < slots.size(); ++i)
+        same[i] = slots.taken(i) && before[i].serial == after[i].serial && before[i].born == after[i].born;
+    return same;
+}
+
+template <class Tag> Ref<Tag> current(const Slots& slots, Ref<Tag> ref, bool alive) {
+    return {ref.slot, alive ? slots.generation(ref.slot) : 0};
+}
+
+void take_over(World& w, State& s) {
+    auto restore_slots = [](Slots& slots, const std::vector<bool>& now, const std::vector<bool>& same, Slots& out) {
+        out = slots;
+        out.restore(now, same);
+    };
+    restore_slots(w.bodies.slots, s.body_taken, same_objects(w.bodies.slots, w.bodies.rows, s.bodies.rows), s.bodies.slots);
+    restore_slots(w.shapes.slots, s.shape_taken, same_objects(w.shapes.slots, w.shapes.rows, s.shapes.rows), s.shapes.slots);
+    restore_slots(w.forces.slots, s.force_taken, same_objects(w.forces.slots, w.forces.rows, s.forces.rows), s.forces.slots);
+    restore_slots(w.shapes.piece_slots, s.piece_taken, {}, s.shapes.piece_slots);
+    s.bodies.rows.resize(s.bodies.slots.size());
+    s.bodies.tags.resize(s.bodies.slots.size());
+    s.shapes.rows.resize(s.shapes.slots.size());
+    s.shapes.corners.resize(s.shapes.slots.size());
+    s.shapes.parts.resize(s.shapes.slots.size());
+    s.shapes.pieces.resize(s.shapes.piece_slots.size());
+    s.forces.rows.resize(s.forces.slots.size());
+    s.forces.areas.resize(s.forces.slots.size());
+    for (Touch& t : s.contacts.touches) {
+        bool a = taken(s.body_taken, t.a.slot) && s.bodies.rows[t.a.slot].serial == t.order[0];
+        bool b = taken(s.body_taken, t.b.slot) && s.bodies.rows[t.b.slot].serial == t.order[1];
+        bool sa = taken(s.shape_taken, t.shape_a.slot) && s.shapes.rows[t.shape_a.slot].serial == t.order[2];
+        bool sb = taken(s.shape_taken, t.shape_b.slot) && s.shapes.rows[t.shape_b.slot].serial == t.order[3];
+        t.a = current(s.bodies.slots, t.a, a);
+        t.b = current(s.bodies.slots, t.b, b);
+        t.shape_a = current(s.shapes.slots, t.shape_a, sa);
+        t.shape_b = current(s.shapes.slots, t.shape_b, sb);
+    }
+    w.gravity = s.gravity;
+    w.sleep_allowed = s.sleep_allowed;
+    w.steps = s.steps;
+    w.time = s.time;
+    w.bodies = std::move(s.bodies);
+    w.shapes = std::move(s.shapes);
+    w.contacts = std::move(s.contacts);
+    w.forces = std::move(s.forces);
+
+    std::size_t n = w.bodies.slots.size();
+    w.present.assign(n, {});
+    w.scales.assign(n, Vec2{1, 1});
+    if (n > w.arrays->capacity) w.arrays = std::make_shared<Arrays>(std::max<std::size_t>(64, 2 * n));
+    publish_all(w);
+    w.previous = w.present;
+}
+
+// 64 bits over 8 bytes at a time: multiply, rotate, and a last avalanche (as in Appleby's MurmurHash3 finaliser).
+std::uint64_t hash(std::span<const std::uint8_t> bytes) {
+    std::uint64_t h = 0x9e3779b97f4a7c15ull ^ bytes.size();
+    std::size_t i = 0;
+    auto mix = [&](std::uint64_t word) { h = std::rotl(h ^ (word * 0xff51afd7ed558ccdull), 29) * 0xc4ceb9fe1a85ec53ull; };
+    for (; i + 8 <= bytes.size(); i += 8) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, bytes.data() + i, 8);
+        mix(word);
+    }
+    std::uint64_t tail = 0;
+    for (std::size_t k = 0; i + k < bytes.size(); ++k) tail |= std::uint64_t{bytes[i + k]} << (8 * k);
+    mix(tail);
+    h ^= h >> 33;
+    h *= 0xff51afd7ed558ccdull;
+    return h ^ (h >> 33);
+}
+
+} // namespace
+
+std::uint64_t checksum(const World& world) {
+    Writer ar;
+    write_payload(ar, world);
+    return hash(ar.bytes);
+}
+
+std::vector<std::uint8_t> snapshot(const World& world) {
+    Writer payload;
+    write_payload(payload, world);
+    Writer out;
+    for (char c : kMagic) out.value(c);
+    out.value(kSnapshotVersion);
+    out.count(payload.bytes.size());
+    out.bytes.insert(out.bytes.end(), payload.bytes.begin(), payload.bytes.end());
+    out.value(hash(payload.bytes));
+    return std::move(out.bytes);
+}
+
+SnapshotProblem restore(World& world, std::span<const std::uint8_t> bytes) {
+    constexpr std::size_t kHead = sizeof(kMagic) + 4 + 8, kTail = 8;
+    std::size_t known = std::min(bytes.size(), sizeof(kMagic));
+    if (std::memcmp(bytes.data(), kMagic, known) != 0 || known == 0) return SnapshotProblem::not_a_snapshot;
+    if (bytes.size() < kHead + kTail) return SnapshotProblem::cut_short;
+    Reader head(bytes.subspan(sizeof(kMagic), 12));
+    std::uint32_t version = 0;
+    std::uint64_t length = 0, written = 0;
+    head.value(version);
+    head.value(length);
+    if (version != kSnapshotVersion) return SnapshotProblem::other_version;
+    if (length != bytes.size() - kHead - kTail) return length > bytes.size() ? SnapshotProblem::cut_short : SnapshotProblem::damaged;
+    std::span<const std::uint8_t> payload = bytes.subspan(kHead, length);
+    Reader(bytes.last(kTail)).value(written);
+    if (hash(payload) != written) return SnapshotProblem::damaged;
+
+    auto state = std::make_unique<State>();
+    Reader ar(payload);
+    read_payload(ar, *state);
+    bool whole = ar.ok && shapes_hold_together(*state) && bodies_hold_together(*state) && forces_hold_together(*state) &&
+                 contacts_hold_together(*state);
+    if (!whole) return SnapshotProblem::inconsistent;
+    rebuild_pieces(*state);
+    take_over(world, *state);
+    return SnapshotProblem::none;
+}
+
+} // namespace evil

@@ -1,0 +1,22 @@
+#pragma once
+// The whole State as bytes: canonical, so that equal worlds give equal bytes on every machine; exact, so that a world
+// restored and continued equals one that never stopped.
+//
+//   "EVILWRLD"  version (u32)  length of payload (u64)  payload  hash of payload (u64)        all little-endian
+#include "world.hpp"
+#include <span>
+
+namespace evil {
+
+inline constexpr std::uint32_t kSnapshotVersion = 1;
+
+std::vector<std::uint8_t> snapshot(const World& world);
+std::uint64_t checksum(const World& world);
+
+enum class SnapshotProblem { none, not_a_snapshot, other_version, cut_short, damaged, inconsistent };
+
+// All or nothing: with a problem the world is as it was. Objects that are the same before and after keep their
+// references; every other reference becomes stale.
+[[nodiscard]] SnapshotProblem restore(World& world, std::span<const std::uint8_t> bytes);
+
+} // namespace evil

@@ -1,0 +1,90 @@
+#include "solver/solver.hpp"
+
+namespace evil {
+namespace {
+
+constexpr float kSleepSpeed = 0.05f; // m/s of a body's fastest point; more, and slow things freeze in the air
+constexpr float kTimeToSleep = 0.5f; // seconds of stillness of a whole island
+
+// Union-find with path halving; the lower slot is the root, so the result does not depend on the order of contacts.
+std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t slot) {
+    while (parent[slot] != slot) slot = parent[slot] = parent[parent[slot]];
+    return slot;
+}
+void unite(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint32_t b) {
+    a = root(parent, a);
+    b = root(parent, b);
+    if (a != b) parent[std::max(a, b)] = std::min(a, b);
+}
+
+bool dynamic(const Bodies& bodies, std::uint32_t slot) { return bodies.rows[slot].kind == BodyKind::dynamic; }
+
+bool stirs(const Body& b) { // a moving platform wakes what it touches
+    return b.kind == BodyKind::kinematic && (length_squared(b.velocity) > 0.0f || b.spin != 0.0f);
+}
+
+void find_islands(Solver& solver, const Bodies& bodies, const Contacts& contacts, const Forces& forces) {
+    auto& island = solver.island_of;
+    island.resize(bodies.slots.size());
+    for (std::uint32_t slot = 0; slot < island.size(); ++slot) island[slot] = slot;
+    for (const Contact& c : contacts.rows)
+        if (c.count > 0 && dynamic(bodies, c.body_a) && dynamic(bodies, c.body_b)) unite(island, c.body_a, c.body_b);
+    for (std::uint32_t i = 0; i < forces.slots.size(); ++i) {
+        if (!forces.slots.taken(i) || forces.rows[i].target == kNone || !dynamic(bodies, forces.rows[i].target)) continue;
+        for (std::uint32_t slot : forces.rows[i].bodies)
+            if (dynamic(bodies, slot)) unite(island, forces.rows[i].target, slot);
+    }
+    for (std::uint32_t slot = 0; slot < island.size(); ++slot) island[slot] = root(island, slot);
+}
+
+float fastest_point(const Body& b, const Shapes& shapes) {
+    float reach = 0.0f;
+    for (std::uint32_t s = b.first_shape; s != kNone; s = shapes.rows[s].next)
+        for (std::uint32_t p = shapes.rows[s].first_piece; p != kNone; p = shapes.pieces[p].next)
+            reach = std::max(reach, length(shapes.pieces[p].centre - b.local_centre) + shapes.pieces[p].reach);
+    return length(b.velocity) + std::abs(b.spin) * reach;
+}
+
+} // namespace
+
+void wake_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, const Forces& forces) {
+    find_islands(solver, bodies, contacts, forces);
+    solver.island_awake.assign(bodies.slots.size(), 0);
+    for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot)
+        if (bodies.slots.taken(slot) && dynamic(bodies, slot) && bodies.rows[slot].awake)
+            solver.island_awake[solver.island_of[slot]] = 1;
+    for (const Contact& c : contacts.rows) {
+        if (c.count == 0) continue;
+        if (stirs(bodies.rows[c.body_a])) solver.island_awake[solver.island_of[c.body_b]] = 1;
+        if (stirs(bodies.rows[c.body_b])) solver.island_awake[solver.island_of[c.body_a]] = 1;
+    }
+    for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
+        Body& b = bodies.rows[slot];
+        if (!bodies.slots.taken(slot) || b.awake || !dynamic(bodies, slot)) continue;
+        if (!solver.island_awake[solver.island_of[slot]]) continue;
+        b.awake = true;
+        b.still_time = 0.0f;
+    }
+}
+
+void sleep_islands(Solver& solver, Bodies& bodies, const Shapes& shapes, float dt, bool allowed) {
+    solver.island_still.assign(bodies.slots.size(), 1e30f);
+    for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
+        Body& b = bodies.rows[slot];
+        if (!bodies.slots.taken(slot) || !dynamic(bodies, slot) || !b.awake) continue;
+        b.still_time = fastest_point(b, shapes) < kSleepSpeed ? std::min(b.still_time + dt, 1e3f) : 0.0f;
+        float& shortest = solver.island_still[solver.island_of[slot]];
+        shortest = std::min(shortest, b.still_time);
+    }
+    if (!allowed) return;
+    for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
+        Body& b = bodies.rows[slot];
+        if (!bodies.slots.taken(slot) || !dynamic(bodies, slot) || !b.awake) continue;
+        if (solver.island_still[solver.island_of[slot]] < kTimeToSleep) continue;
+        b.awake = false;
+        b.velocity = {};
+        b.spin = 0.0f;
+    }
+}
+
+} // namespace evil

@@ -1,0 +1,44 @@
+#include "world.hpp"
+
+namespace evil {
+
+void World::step(float dt, int substeps) {
+    previous = present;
+    find_pairs(broad, shapes, bodies, dt, contacts.scratch.pairs); // approximate: whose bounds meet
+    match_pairs(contacts, shapes);
+    update_manifolds(contacts, shapes, bodies, dt);                // exact: SAT, contact points
+    wake_islands(solver, bodies, contacts, forces);
+    solve(solver, bodies, contacts, forces, gravity, {dt, substeps});
+    sleep_islands(solver, bodies, shapes, dt, sleep_allowed);
+    find_events(contacts, shapes, bodies);
+    ++steps;
+    time += double(dt);
+    publish_all(*this);
+}
+
+Affine body_matrix(const Body& body) {
+    return compose(affine(body.pose), Affine{body.scale.x, 0, 0, body.scale.y, 0, 0});
+}
+
+void publish(World& world, std::uint32_t slot) {
+    const Body& b = world.bodies.rows[slot];
+    bool taken = world.bodies.slots.taken(slot);
+    world.present[slot] = b.pose;
+    world.scales[slot] = b.scale;
+    Arrays& out = *world.arrays;
+    Vec2 position = taken ? b.pose.p : Vec2{}, velocity = taken ? b.velocity : Vec2{};
+    out.positions[2 * slot] = position.x;
+    out.positions[2 * slot + 1] = position.y;
+    out.velocities[2 * slot] = velocity.x;
+    out.velocities[2 * slot + 1] = velocity.y;
+    out.angles[slot] = taken ? static_cast<float>(b.angle) : 0.0f;
+    Affine m = taken ? body_matrix(b) : Affine{};
+    float matrix[16] = {m.a, m.b, 0, 0, m.c, m.d, 0, 0, 0, 0, 1, 0, m.tx, m.ty, 0, 1};
+    std::copy(matrix, matrix + 16, out.matrices.begin() + 16 * static_cast<std::ptrdiff_t>(slot));
+}
+
+void publish_all(World& world) {
+    for (std::uint32_t slot = 0; slot < world.bodies.slots.size(); ++slot) publish(world, slot);
+}
+
+} // namespace evil

@@ -1,0 +1,84 @@
+#pragma once
+// One World: the State of every module side by side (SPEC A3), and the step that moves it.
+#include "collider/broad_phase.hpp"
+#include "collider/contacts.hpp"
+#include "forces/forces.hpp"
+#include "published.hpp"
+#include "solver/solver.hpp"
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace evil {
+
+inline constexpr float kMaxStep = 1.0f;   // seconds; a longer step is a mistake in units
+inline constexpr int kMaxSubsteps = 256;
+
+// Slot-indexed arrays for readers outside: refreshed after each step. Growing makes a new one, and whoever looks at the
+// old one keeps it alive.
+struct Arrays {
+    explicit Arrays(std::size_t n) : capacity(n), positions(2 * n), angles(n), velocities(2 * n), matrices(16 * n) {}
+    std::size_t capacity;
+    std::vector<float> positions, angles, velocities, matrices;
+};
+
+struct World {
+    // State: what a snapshot holds
+    Vec2 gravity{0.0f, -9.81f};
+    bool sleep_allowed = true;
+    std::uint64_t steps = 0;
+    double time = 0.0; // seconds simulated
+    Bodies bodies;
+    Shapes shapes;
+    Contacts contacts;
+    Forces forces;
+
+    // Scratch: losing it changes nothing
+    BroadPhase broad;
+    Solver solver;
+
+    // Results: what readers see
+    std::vector<Pose> previous, present;
+    std::vector<Vec2> scales;
+    std::shared_ptr<Arrays> arrays = std::make_shared<Arrays>(0);
+
+    void step(float dt, int substeps);
+    Poses poses() const { return {previous, present, scales, bodies.slots.generations()}; }
+};
+
+// Adding and removing. Arguments are checked at the door; what only shows when it is done comes back as a problem.
+BodyRef add_body(World& world, const Body& body, const std::string& tag);
+void destroy_body(World& world, std::uint32_t body);
+
+enum class MassProblem { none, too_small, too_large };
+struct AddedShape {
+    ShapeRef ref;
+    MassProblem problem = MassProblem::none; // not none: nothing was added
+};
+AddedShape add_shape(World& world, std::uint32_t body, const Shape& shape, std::vector<Vec2> corners, std::vector<Part> parts);
+void destroy_shape(World& world, std::uint32_t shape);
+
+ForceRef add_force(World& world, Force force, Area area);
+void attach(World& world, std::uint32_t force, std::uint32_t body);
+void detach(World& world, std::uint32_t force, std::uint32_t body);
+void destroy_force(World& world, std::uint32_t force);
+
+// Changing by hand.
+void wake(World& world, std::uint32_t body);
+void wake_touching(World& world, std::uint32_t body); // and what rests on it
+void move_body(World& world, std::uint32_t body, Vec2 position, double angle);
+void set_kind(World& world, std::uint32_t body, BodyKind kind);
+void set_gravity(World& world, Vec2 gravity);
+[[nodiscard]] MassProblem set_mass(World& world, std::uint32_t body, float mass); // 0: by the shapes' densities
+[[nodiscard]] MassProblem set_density(World& world, std::uint32_t shape, float density);
+
+enum class MatrixProblem { none, flat, sheared, squeezes_circle, too_large, mass };
+[[nodiscard]] MatrixProblem set_scale(World& world, std::uint32_t body, Vec2 scale);
+[[nodiscard]] MatrixProblem apply_to_body(World& world, std::uint32_t body, const Affine& m);
+[[nodiscard]] MatrixProblem apply_to_shape(World& world, std::uint32_t shape, const Affine& m);
+
+Affine body_matrix(const Body& body); // position, rotation, scale
+void publish(World& world, std::uint32_t body);
+void publish_all(World& world);
+
+} // namespace evil
