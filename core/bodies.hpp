@@ -13,6 +13,16 @@ inline constexpr float kMaxSpin = 1e4f;        // rad/s
 inline constexpr float kWorldEdge = 1e7f;  // metres from the origin; a body that gets there stays there, so that no infinity is born
 inline constexpr float kMaxMass = 1e12f, kMinMass = 1e-12f;
 
+// Into [-limit, limit], and not-a-number into 0: whatever was asked for, no NaN leaves a step.
+inline float clamped(float value, float limit) {
+    if (value > limit) return limit;
+    if (value < -limit) return -limit;
+    return value == value ? value : 0.0f;
+}
+inline Vec2 clamped(Vec2 v, float limit) { return {clamped(v.x, limit), clamped(v.y, limit)}; }
+
+inline constexpr float kMaxForce = 1e30f; // newtons, and whatever else only has to stay finite
+
 struct Body {
     BodyKind kind = BodyKind::dynamic;
     bool bullet = false, touchable = false, awake = true;

@@ -47,15 +47,19 @@ struct World {
 };
 
 // Adding and removing. Arguments are checked at the door; what only shows when it is done comes back as a problem.
-BodyRef add_body(World& world, const Body& body, const std::string& tag);
-void destroy_body(World& world, std::uint32_t body);
-
 enum class MassProblem { none, too_small, too_large };
-struct AddedShape {
-    ShapeRef ref;
+struct NewShape {
+    Shape shape;
+    std::vector<Vec2> corners;
+    std::vector<Part> parts;
+};
+template <class Reference> struct Added {
+    Reference ref;
     MassProblem problem = MassProblem::none; // not none: nothing was added
 };
-AddedShape add_shape(World& world, std::uint32_t body, const Shape& shape, std::vector<Vec2> corners, std::vector<Part> parts);
+Added<BodyRef> add_body(World& world, const Body& body, const std::string& tag, std::span<const NewShape> shapes);
+void destroy_body(World& world, std::uint32_t body);
+Added<ShapeRef> add_shape(World& world, std::uint32_t body, const NewShape& shape);
 void destroy_shape(World& world, std::uint32_t shape);
 
 ForceRef add_force(World& world, Force force, Area area);

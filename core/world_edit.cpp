@@ -96,7 +96,8 @@ void drop_from_forces(World& world, std::uint32_t body) {
 
 } // namespace
 
-BodyRef add_body(World& world, const Body& body, const std::string& tag) {
+Added<BodyRef> add_body(World& world, const Body& body, const std::string& tag, std::span<const NewShape> shapes) {
+    std::uint64_t body_serial = world.bodies.next_serial, shape_serial = world.shapes.next_serial;
     Bodies& bodies = world.bodies;
     std::uint32_t slot = bodies.slots.take();
     if (slot >= bodies.rows.size()) {
@@ -113,7 +114,15 @@ BodyRef add_body(World& world, const Body& body, const std::string& tag) {
     (void)update_mass(world, slot); // a body without shapes has no problem with mass
     grow_results(world);
     show_at_once(world, slot);
-    return {slot, bodies.slots.generation(slot)};
+    for (const NewShape& shape : shapes) {
+        MassProblem problem = add_shape(world, slot, shape).problem;
+        if (problem == MassProblem::none) continue;
+        destroy_body(world, slot);
+        world.bodies.next_serial = body_serial; // as if it had never been tried
+        world.shapes.next_serial = shape_serial;
+        return {{}, problem};
+    }
+    return {{slot, bodies.slots.generation(slot)}};
 }
 
 void destroy_body(World& world, std::uint32_t slot) {
@@ -131,12 +140,12 @@ void destroy_body(World& world, std::uint32_t slot) {
     publish(world, slot);
 }
 
-AddedShape add_shape(World& world, std::uint32_t body, const Shape& shape, std::vector<Vec2> corners, std::vector<Part> parts) {
-    Shape row = shape;
+Added<ShapeRef> add_shape(World& world, std::uint32_t body, const NewShape& shape) {
+    Shape row = shape.shape;
     row.body = body;
     row.born = world.steps;
     std::uint64_t serial = world.shapes.next_serial;
-    std::uint32_t slot = add_shape_row(world.shapes, row, std::move(corners), std::move(parts));
+    std::uint32_t slot = add_shape_row(world.shapes, row, shape.corners, shape.parts);
     link_shape(world, body, slot);
     bake(world.shapes, slot, world.bodies.rows[body].scale);
     MassProblem problem = update_mass(world, body);

@@ -84,13 +84,13 @@ Touch touch_of(const Contact& c, const Shapes& shapes, const Bodies& bodies) {
     t.point = weight > 0.0f ? (1.0f / weight) * pressed : mean; // where the push went through
     if (!is_finite(t.point)) t.point = mean;
     t.depth = std::max(0.0f, -deepest);
-    t.impulse = weight;
+    t.impulse = clamped(weight, kMaxForce);
     return t;
 }
 
 // Several pieces of one pair of shapes are one touch: the deepest tells where, the impulses add up.
 void join(Touch& into, const Touch& t) {
-    float impulse = into.impulse + t.impulse, speed = std::max(into.speed, t.speed);
+    float impulse = clamped(into.impulse + t.impulse, kMaxForce), speed = std::max(into.speed, t.speed);
     if (t.depth > into.depth || (t.depth == into.depth && t.impulse > into.impulse)) into = t;
     into.impulse = impulse;
     into.speed = speed;

@@ -4,14 +4,6 @@
 namespace evil {
 namespace {
 
-// Into [-limit, limit], and not-a-number into 0: whatever forces were asked for, no NaN leaves a step.
-float clamped(float value, float limit) {
-    if (value > limit) return limit;
-    if (value < -limit) return -limit;
-    return value == value ? value : 0.0f;
-}
-Vec2 clamped(Vec2 v, float limit) { return {clamped(v.x, limit), clamped(v.y, limit)}; }
-
 void gather_bodies(Solver& solver, const Bodies& bodies) {
     solver.bodies.assign(1, {});
     solver.starts.assign(1, {});
@@ -52,7 +44,7 @@ void integrate_velocities(Solver& solver, Bodies& bodies, Vec2 gravity, float h)
         Body& b = bodies.rows[solver.body_slots[i]];
         if (b.kind != BodyKind::dynamic) continue;
         Push push = solver.pushes[solver.body_slots[i]];
-        b.acceleration = s.inv_mass * (b.force + push.force) + b.gravity_scale * gravity; // (4.3)
+        b.acceleration = clamped(s.inv_mass * (b.force + push.force) + b.gravity_scale * gravity, kMaxForce); // (4.3)
         float turning = s.inv_inertia * (b.torque + push.torque);                         // (4.6)
         s.velocity = clamped(kept(b.damping, h) * s.velocity + h * b.acceleration, kMaxSpeed); // (4.2)
         s.spin = clamped(kept(b.angular_damping, h) * s.spin + h * turning, kMaxSpin);         // (4.5)

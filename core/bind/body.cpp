@@ -1,0 +1,261 @@
+#include "bind/handle.hpp"
+
+namespace evil::bind {
+namespace {
+
+constexpr const char* kOwner = "Body";
+
+// A float field of the row that any number in a range may be written to; writing wakes the body.
+template <float Body::*Field>
+void bind_float(nb::class_<BodyHandle>& c, const char* name, float least, float most, const char* doc) {
+    c.def_prop_rw(
+        name, [](const BodyHandle& h) { return row(h).*Field; },
+        [name, least, most](const BodyHandle& h, nb::handle value) {
+            Body& b = row(h);
+            b.*Field = in_range(value, kOwner, name, least, most);
+            wake(*h.world, h.ref.slot);
+        },
+        doc);
+}
+
+// A material value of all the body's shapes at once, and of those to come.
+template <float Body::*Field, float Material::*Each>
+void bind_material(nb::class_<BodyHandle>& c, const char* name, float most, const char* doc) {
+    c.def_prop_rw(
+        name, [](const BodyHandle& h) { return row(h).*Field; },
+        [name, most](const BodyHandle& h, nb::handle value) {
+            Body& b = row(h);
+            b.*Field = in_range(value, kOwner, name, 0.0f, most);
+            Shapes& shapes = h.world->shapes;
+            for (std::uint32_t s = b.first_shape; s != kNone; s = shapes.rows[s].next) shapes.rows[s].material.*Each = b.*Field;
+            wake(*h.world, h.ref.slot);
+        },
+        doc);
+}
+
+void set_position(const BodyHandle& h, nb::handle value) {
+    double angle = row(h).angle;
+    Vec2 p = to_vec2(value, kOwner, "position");
+    if (!(length(p) <= kWorldEdge)) raise(ErrorKind::argument, "Body: position must be within 1e7 metres of the origin");
+    move_body(*h.world, h.ref.slot, p, angle);
+}
+
+void set_angle(const BodyHandle& h, nb::handle value) {
+    Vec2 p = row(h).pose.p;
+    to_float(value, kOwner, "angle"); // refuses what is no finite number
+    move_body(*h.world, h.ref.slot, p, PyFloat_AsDouble(value.ptr()));
+}
+
+void require_moving(const BodyHandle& h, const char* what) {
+    if (row(h).kind == BodyKind::fixed)
+        raise(ErrorKind::argument, std::string("Body: ") + what + " of a static body cannot change; make it kinematic or dynamic");
+}
+
+void set_velocity(const BodyHandle& h, nb::handle value) {
+    Vec2 v = to_vec2(value, kOwner, "velocity");
+    require_moving(h, "velocity");
+    if (std::abs(v.x) > kMaxSpeed || std::abs(v.y) > kMaxSpeed)
+        raise(ErrorKind::argument, "Body: velocity must be at most 1e5 m/s along each axis");
+    row(h).velocity = v;
+    wake(*h.world, h.ref.slot);
+    publish(*h.world, h.ref.slot);
+}
+
+void set_spin(const BodyHandle& h, nb::handle value) {
+    float spin = in_range(value, kOwner, "angular_velocity", -kMaxSpin, kMaxSpin);
+    require_moving(h, "angular_velocity");
+    row(h).spin = spin;
+    wake(*h.world, h.ref.slot);
+}
+
+void apply_force(const BodyHandle& h, nb::handle force, nb::handle at) {
+    Body& b = row(h);
+    Vec2 f = to_vec2(force, "Body.apply_force", "force");
+    Vec2 p = at.is_none() ? b.centre : to_vec2(at, "Body.apply_force", "at");
+    wake(*h.world, h.ref.slot);
+    b.force = clamped(b.force + f, kMaxForce);
+    b.torque = clamped(b.torque + cross(p - b.centre, f), kMaxForce);
+}
+
+void apply_impulse(const BodyHandle& h, nb::handle impulse, nb::handle at) {
+    Body& b = row(h);
+    Vec2 j = to_vec2(impulse, "Body.apply_impulse", "impulse");
+    Vec2 p = at.is_none() ? b.centre : to_vec2(at, "Body.apply_impulse", "at");
+    wake(*h.world, h.ref.slot);
+    b.velocity = clamped(b.velocity + b.inv_mass * j, kMaxSpeed);
+    b.spin = clamped(b.spin + b.inv_inertia * cross(p - b.centre, j), kMaxSpin);
+    publish(*h.world, h.ref.slot);
+}
+
+void apply_torque(const BodyHandle& h, nb::handle torque) {
+    Body& b = row(h);
+    b.torque = clamped(b.torque + to_float(torque, "Body.apply_torque", "torque"), kMaxForce);
+    wake(*h.world, h.ref.slot);
+}
+
+void apply_angular_impulse(const BodyHandle& h, nb::handle impulse) {
+    Body& b = row(h);
+    b.spin = clamped(b.spin + b.inv_inertia * to_float(impulse, "Body.apply_angular_impulse", "impulse"), kMaxSpin);
+    wake(*h.world, h.ref.slot);
+}
+
+void set_mass_of(const BodyHandle& h, nb::handle value) {
+    require_alive(h);
+    float mass = in_range(value, kOwner, "mass", kMinMass, kMaxMass);
+    MassProblem problem = set_mass(*h.world, h.ref.slot, mass);
+    if (problem != MassProblem::none) raise_mass(problem, "Body.mass");
+}
+
+void set_scale_of(const BodyHandle& h, nb::handle value) {
+    require_alive(h);
+    Vec2 scale = to_vec2(value, kOwner, "scale");
+    MatrixProblem problem = set_scale(*h.world, h.ref.slot, scale);
+    if (problem != MatrixProblem::none) raise_matrix(problem, "Body.scale");
+}
+
+std::vector<std::uint32_t> shape_slots(const BodyHandle& h) {
+    std::vector<std::uint32_t> list;
+    for (std::uint32_t s = row(h).first_shape; s != kNone; s = h.world->shapes.rows[s].next) list.push_back(s);
+    return list;
+}
+
+void bind_motion(nb::class_<BodyHandle>& c) {
+    c.def_prop_rw(
+        "position", [](const BodyHandle& h) { return from_vec2(row(h).pose.p); }, set_position,
+        "Where the body's origin is, the point that its shapes are placed by (metres). Writing it moves the body at once.");
+    c.def_prop_rw(
+        "angle", [](const BodyHandle& h) { return row(h).angle; }, set_angle,
+        "Radians, counter-clockwise; it is not wrapped, so two turns are 4 pi.");
+    c.def_prop_rw(
+        "velocity", [](const BodyHandle& h) { return from_vec2(row(h).velocity); }, set_velocity,
+        "Of the centre of mass, metres a second.");
+    c.def_prop_rw(
+        "angular_velocity", [](const BodyHandle& h) { return row(h).spin; }, set_spin, "Radians a second.");
+    c.def_prop_ro(
+        "centre", [](const BodyHandle& h) { return from_vec2(row(h).centre); }, "The centre of mass, in the world.");
+    c.def(
+        "velocity_at",
+        [](const BodyHandle& h, nb::handle point) {
+            const Body& b = row(h);
+            return from_vec2(velocity_at(b, to_vec2(point, "Body.velocity_at", "point")));
+        },
+        nb::arg("point"), "Velocity of the body's matter at a point of the world.");
+    c.def(
+        "to_world",
+        [](const BodyHandle& h, nb::handle point) {
+            Vec2 p = to_vec2(point, "Body.to_world", "point");
+            return from_vec2(apply(body_matrix(row(h)), p));
+        },
+        nb::arg("point"), "A point of the body's own frame, in the world.");
+    c.def(
+        "to_local",
+        [](const BodyHandle& h, nb::handle point) {
+            const Body& b = row(h);
+            Vec2 p = untransform(b.pose, to_vec2(point, "Body.to_local", "point"));
+            return from_vec2({p.x / b.scale.x, p.y / b.scale.y});
+        },
+        nb::arg("point"), "A point of the world, in the body's own frame.");
+}
+
+void bind_pushes(nb::class_<BodyHandle>& c) {
+    c.def("apply_force", apply_force, nb::arg("force"), nb::arg("at").none() = nb::none(),
+          "Push with `force` (newtons) during the next step, at a point of the world; at the centre of mass without one.");
+    c.def("apply_impulse", apply_impulse, nb::arg("impulse"), nb::arg("at").none() = nb::none(),
+          "Change the velocity at once by an impulse (newton seconds), at a point of the world or the centre of mass.");
+    c.def("apply_torque", apply_torque, nb::arg("torque"), "Turn with `torque` (newton metres) during the next step.");
+    c.def("apply_angular_impulse", apply_angular_impulse, nb::arg("impulse"), "Change the spin at once (kg m2/s).");
+    c.def_prop_ro(
+        "force", [](const BodyHandle& h) { return from_vec2(row(h).force); }, "Gathered by apply_force since the last step.");
+    c.def_prop_ro(
+        "torque", [](const BodyHandle& h) { return row(h).torque; }, "Gathered by apply_force and apply_torque since the last step.");
+}
+
+void bind_mass(nb::class_<BodyHandle>& c) {
+    auto fixed = [](const Body& b) { return b.kind != BodyKind::dynamic; };
+    c.def_prop_rw(
+        "mass", [fixed](const BodyHandle& h) { return fixed(row(h)) ? HUGE_VAL : double(row(h).mass); }, set_mass_of,
+        "Kilograms; infinite for a static or kinematic body. Writing it scales the inertia along.");
+    c.def_prop_ro(
+        "inertia", [fixed](const BodyHandle& h) { return fixed(row(h)) ? HUGE_VAL : double(row(h).inertia); },
+        "About the centre of mass, kg m2; infinite for a static or kinematic body.");
+    c.def_prop_ro("inverse_mass", [](const BodyHandle& h) { return row(h).inv_mass; }, "1 / mass; 0: nothing moves it.");
+    c.def_prop_ro("inverse_inertia", [](const BodyHandle& h) { return row(h).inv_inertia; }, "1 / inertia; 0: nothing turns it.");
+    bind_float<&Body::damping>(c, "damping", 0.0f, 1.0f, "Fraction of velocity kept per second; 1: none is lost.");
+    bind_float<&Body::angular_damping>(c, "angular_damping", 0.0f, 1.0f, "Fraction of spin kept per second; 1: none is lost.");
+    bind_float<&Body::drag>(c, "drag", 0.0f, 1e6f, "How strongly drag and media act on it; 1 as they are, 0 not at all.");
+    bind_float<&Body::gravity_scale>(c, "gravity_scale", -1e6f, 1e6f, "How strongly the world's gravity acts on it.");
+    bind_material<&Body::friction, &Material::friction>(c, "friction", 1e6f, "Of all its shapes; pairs mix as sqrt(a b).");
+    bind_material<&Body::restitution, &Material::restitution>(c, "restitution", 1.0f, "Of all its shapes; pairs take the larger.");
+}
+
+void bind_state(nb::class_<BodyHandle>& c) {
+    c.def_prop_rw(
+        "_kind", [](const BodyHandle& h) { return static_cast<int>(row(h).kind); },
+        [](const BodyHandle& h, int kind) {
+            require_alive(h);
+            set_kind(*h.world, h.ref.slot, static_cast<BodyKind>(kind));
+        });
+    c.def_prop_rw(
+        "bullet", [](const BodyHandle& h) { return row(h).bullet; }, [](const BodyHandle& h, bool on) { row(h).bullet = on; },
+        "Marked as fast and thin, for continuous collision.");
+    c.def_prop_rw(
+        "touchable", [](const BodyHandle& h) { return row(h).touchable; }, [](const BodyHandle& h, bool on) { row(h).touchable = on; },
+        "Fingers and the mouse can hold it.");
+    c.def_prop_rw(
+        "awake", [](const BodyHandle& h) { return row(h).awake; },
+        [](const BodyHandle& h, bool on) {
+            Body& b = row(h);
+            if (on) return wake(*h.world, h.ref.slot);
+            if (b.kind != BodyKind::dynamic) return;
+            b.awake = false;
+            b.velocity = {};
+            b.spin = 0.0f;
+            publish(*h.world, h.ref.slot);
+        },
+        "False while it rests and costs nothing. A touch, a push or a change wakes it.");
+    c.def_prop_rw(
+        "_tag", [](const BodyHandle& h) { return row(h), h.world->bodies.tags[h.ref.slot]; },
+        [](BodyHandle& h, const std::string& tag) {
+            require_alive(h);
+            h.world->bodies.tags[h.ref.slot] = tag;
+            h.tag = tag;
+        });
+    c.def_prop_rw(
+        "scale", [](const BodyHandle& h) { return from_vec2(row(h).scale); }, set_scale_of,
+        "(x, y) that all its shapes are stretched by; mass follows unless it was set.");
+    c.def_prop_ro("_matrix", [](const BodyHandle& h) { return from_affine(body_matrix(row(h))); });
+    c.def("_apply_matrix", [](const BodyHandle& h, nb::handle matrix) {
+        require_alive(h);
+        MatrixProblem problem = apply_to_body(*h.world, h.ref.slot, to_affine(matrix, "Body.apply_matrix"));
+        if (problem != MatrixProblem::none) raise_matrix(problem, "Body.apply_matrix");
+    });
+    c.def("_shape_slots", shape_slots);
+    c.def("_destroy", [](const BodyHandle& h) {
+        require_alive(h);
+        destroy_body(*h.world, h.ref.slot);
+    });
+}
+
+} // namespace
+
+void register_body(nb::module_& module) {
+    nb::class_<BodyHandle> c(module, "Body", "Reference to a body of a world.");
+    c.def(
+        "__init__",
+        [](BodyHandle* self, std::shared_ptr<World> world, std::uint32_t slot, std::uint32_t generation) {
+            BodyHandle h{std::move(world), {slot, generation}, 0, 0, false, {}};
+            if (alive(h)) {
+                h.born = h.world->bodies.rows[slot].born;
+                h.tag = h.world->bodies.tags[slot];
+            }
+            new (self) BodyHandle(std::move(h));
+        },
+        nb::arg("world"), nb::arg("slot"), nb::arg("generation"));
+    bind_identity(c);
+    bind_motion(c);
+    bind_pushes(c);
+    bind_mass(c);
+    bind_state(c);
+}
+
+} // namespace evil::bind

@@ -1,0 +1,76 @@
+#include "bind/handle.hpp"
+
+namespace evil::bind {
+namespace {
+
+void wake_all_of(const ForceHandle& h) {
+    const Force& f = row(h);
+    for (std::uint32_t body : f.bodies) wake(*h.world, body);
+    if (f.target != kNone) wake(*h.world, f.target);
+    if (!f.everywhere) return;
+    for (std::uint32_t b = 0; b < h.world->bodies.slots.size(); ++b)
+        if (h.world->bodies.slots.taken(b)) wake(*h.world, b);
+}
+
+template <float Force::*Field> void bind_float(nb::class_<ForceHandle>& c, const char* name) {
+    c.def_prop_rw(
+        name, [](const ForceHandle& h) { return row(h).*Field; },
+        [](const ForceHandle& h, float value) { // checked by the face, which knows the kind's own words
+            row(h).*Field = value;
+            wake_all_of(h);
+        });
+}
+
+template <Vec2 Force::*Field> void bind_vec2(nb::class_<ForceHandle>& c, const char* name) {
+    c.def_prop_rw(
+        name, [](const ForceHandle& h) { return from_vec2(row(h).*Field); },
+        [name](const ForceHandle& h, nb::handle value) {
+            row(h).*Field = to_vec2(value, "Force", name);
+            wake_all_of(h);
+        });
+}
+
+} // namespace
+
+void register_force(nb::module_& module) {
+    nb::class_<ForceHandle> c(module, "Force", "Reference to a force of a world.");
+    c.def(
+        "__init__",
+        [](ForceHandle* self, std::shared_ptr<World> world, std::uint32_t slot, std::uint32_t generation) {
+            ForceHandle h{std::move(world), {slot, generation}, 0, 0, false, {}};
+            if (alive(h)) h.born = h.world->forces.rows[slot].born;
+            new (self) ForceHandle(std::move(h));
+        },
+        nb::arg("world"), nb::arg("slot"), nb::arg("generation"));
+    bind_identity(c);
+    bind_vec2<&Force::vector>(c, "vector");
+    bind_vec2<&Force::anchor>(c, "anchor");
+    bind_float<&Force::stiffness>(c, "stiffness");
+    bind_float<&Force::rest_length>(c, "rest_length");
+    bind_float<&Force::damping>(c, "damping");
+    bind_float<&Force::linear>(c, "linear");
+    bind_float<&Force::quadratic>(c, "quadratic");
+    bind_float<&Force::limit>(c, "limit");
+    c.def_prop_rw(
+        "note", [](const ForceHandle& h) { return row(h).note; }, [](const ForceHandle& h, const std::string& note) { row(h).note = note; });
+    c.def_prop_ro("everywhere", [](const ForceHandle& h) { return row(h).everywhere; });
+    c.def_prop_ro("kind", [](const ForceHandle& h) { return static_cast<int>(row(h).kind); });
+    c.def_prop_ro("target", [](const ForceHandle& h) { return row(h).target; });
+    c.def_prop_ro("body_slots", [](const ForceHandle& h) { return row(h).bodies; });
+    c.def("attach", [](const ForceHandle& h, const BodyHandle& b) {
+        require_alive(h);
+        require_alive(b);
+        attach(*h.world, h.ref.slot, b.ref.slot);
+    });
+    c.def("detach", [](const ForceHandle& h, const BodyHandle& b) {
+        require_alive(h);
+        require_alive(b);
+        detach(*h.world, h.ref.slot, b.ref.slot);
+    });
+    c.def("destroy", [](const ForceHandle& h) {
+        require_alive(h);
+        destroy_force(*h.world, h.ref.slot);
+    });
+}
+
+} // namespace evil::bind

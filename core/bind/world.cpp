@@ -1,0 +1,245 @@
+#include "bind/handle.hpp"
+#include "bind/views.hpp"
+#include "collider/queries.hpp"
+#include "snapshot.hpp"
+
+namespace evil::bind {
+
+NewShape used(const NewShape& spec, nb::handle offset, double angle, float density, float friction, float restitution);
+
+void raise_mass(MassProblem problem, const char* owner) {
+    const char* what = problem == MassProblem::too_small ? "less than 1e-12 kg" : "more than 1e12 kg, or turns too heavily";
+    raise(ErrorKind::shape, std::string(owner) + ": the body would weigh " + what + "; change density=, mass= or the shape's size");
+}
+
+void raise_matrix(MatrixProblem problem, const char* owner) {
+    const char* what = "";
+    switch (problem) {
+    case MatrixProblem::none: break;
+    case MatrixProblem::flat: what = "would make it flat (the matrix has no inverse, or shrinks below 1e-4)"; break;
+    case MatrixProblem::sheared: what = "would shear the body, whose matrix holds position, rotation and scale; apply it to its shapes"; break;
+    case MatrixProblem::squeezes_circle: what = "would squeeze a Circle, which stays round: scale x and y alike, or use a Polygon"; break;
+    case MatrixProblem::too_large: what = "would make it larger than 1e4 times or move it out of the world"; break;
+    case MatrixProblem::mass: what = "would give it a mass out of range (1e-12 to 1e12 kg)"; break;
+    }
+    raise(ErrorKind::shape, std::string(owner) + ": this " + what);
+}
+
+Affine to_affine(nb::handle matrix, const char* owner) {
+    float v[16];
+    std::size_t n = 0;
+    if (!PySequence_Check(matrix.ptr())) raise(ErrorKind::argument_type, std::string(owner) + ": matrix must be a Mat4 or 16 numbers");
+    for (nb::handle value : nb::iter(matrix)) {
+        if (n == 16) raise(ErrorKind::argument, std::string(owner) + ": matrix must have 16 numbers, column by column; got more");
+        v[n++] = to_float(value, owner, "matrix");
+    }
+    if (n != 16) raise(ErrorKind::argument, std::string(owner) + ": matrix must have 16 numbers, column by column; got " + std::to_string(n));
+    bool planar = v[2] == 0 && v[3] == 0 && v[6] == 0 && v[7] == 0 && v[8] == 0 && v[9] == 0 && v[11] == 0 && v[15] == 1;
+    if (!planar) raise(ErrorKind::argument, std::string(owner) + ": matrix must map the plane to itself: x and y only, last row 0 0 0 1");
+    return {v[0], v[1], v[4], v[5], v[12], v[13]};
+}
+
+nb::tuple from_affine(const Affine& m) {
+    return nb::make_tuple(m.a, m.b, 0.0f, 0.0f, m.c, m.d, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, m.tx, m.ty, 0.0f, 1.0f);
+}
+
+namespace {
+
+struct BodySpec { // what add() was given; numbers are checked by the face, which knows their names
+    Body row;
+    std::string tag;
+};
+
+std::uint32_t add(World& world, const BodySpec& spec, const std::vector<NewShape>& shapes) {
+    Added<BodyRef> added = add_body(world, spec.row, spec.tag, shapes);
+    if (added.problem != MassProblem::none) raise_mass(added.problem, "World.add()");
+    return added.ref.slot;
+}
+
+nb::tuple from_touch(const Touch& t) {
+    return nb::make_tuple(t.a.slot, t.a.generation, t.b.slot, t.b.generation, t.shape_a.slot, t.shape_a.generation, t.shape_b.slot,
+                          t.shape_b.generation, from_vec2(t.point), from_vec2(t.normal), t.depth, t.impulse, t.speed);
+}
+
+nb::list from_touches(const std::vector<Touch>& touches) {
+    nb::list list;
+    for (const Touch& t : touches) list.append(from_touch(t));
+    return list;
+}
+
+View view_of(const World& w, std::vector<float> Arrays::*values, Py_ssize_t columns) {
+    return {w.arrays, (*w.arrays).*values, static_cast<Py_ssize_t>(w.bodies.slots.size()), columns};
+}
+
+std::vector<std::uint32_t> body_slots(const World& w) { // in creation order
+    std::vector<std::uint32_t> list;
+    for (std::uint32_t slot = 0; slot < w.bodies.slots.size(); ++slot)
+        if (w.bodies.slots.taken(slot)) list.push_back(slot);
+    std::ranges::sort(list, {}, [&](std::uint32_t slot) { return w.bodies.rows[slot].serial; });
+    return list;
+}
+
+nb::object cast_ray(const World& w, nb::handle start, nb::handle end) {
+    Vec2 s = to_vec2(start, "World.ray_cast", "start"), e = to_vec2(end, "World.ray_cast", "end");
+    std::optional<RayHit> hit = ray_cast(w.shapes, w.bodies, s, e);
+    if (!hit) return nb::none();
+    return nb::make_tuple(hit->body, hit->shape, from_vec2(hit->point), from_vec2(hit->normal), hit->fraction);
+}
+
+std::vector<std::uint32_t> overlapping(const World& w, const NewShape& spec, nb::handle at, double angle) {
+    NewShape placed = used(spec, at, angle, 1.0f, 0.0f, 0.0f);
+    Shapes probe;
+    std::uint32_t slot = add_shape_row(probe, placed.shape, placed.corners, placed.parts);
+    bake(probe, slot, {1, 1});
+    std::vector<std::uint32_t> found;
+    bodies_overlapping(w.shapes, w.bodies, probe, found);
+    return found;
+}
+
+void restore_from(World& w, nb::bytes data) {
+    std::span<const std::uint8_t> bytes(reinterpret_cast<const std::uint8_t*>(data.c_str()), data.size());
+    switch (restore(w, bytes)) {
+    case SnapshotProblem::none: return;
+    case SnapshotProblem::not_a_snapshot: raise(ErrorKind::snapshot, "World.restore: these bytes are no snapshot of a world");
+    case SnapshotProblem::other_version:
+        raise(ErrorKind::snapshot, "World.restore: this snapshot is of another version of the engine; this one reads version " +
+                                       std::to_string(kSnapshotVersion));
+    case SnapshotProblem::cut_short: raise(ErrorKind::snapshot, "World.restore: this snapshot is cut short; the world is as it was");
+    case SnapshotProblem::damaged: raise(ErrorKind::snapshot, "World.restore: this snapshot is damaged; the world is as it was");
+    case SnapshotProblem::inconsistent:
+        raise(ErrorKind::snapshot, "World.restore: this snapshot contradicts itself; the world is as it was");
+    }
+}
+
+void set_area(Area& area, const NewShape& spec, nb::handle at, double angle) {
+    Affine m = used(spec, at, angle, 1.0f, 0.0f, 0.0f).shape.local;
+    area = {};
+    area.centre = {m.tx, m.ty};
+    if (spec.shape.kind == ShapeKind::circle) area.radius = spec.shape.radius;
+    for (const Part& part : spec.parts) {
+        auto& corners = area.parts.emplace_back();
+        for (std::uint32_t corner : part) corners.push_back(apply(m, spec.corners[corner]));
+    }
+}
+
+std::uint32_t add_force_of(World& w, int kind, bool everywhere, nb::handle vector, nb::handle anchor, bool at_anchor,
+                           std::uint32_t target, float stiffness, float rest_length, float damping, float linear,
+                           float quadratic, float limit, const NewShape* area, nb::handle area_at, double area_angle) {
+    Force f;
+    f.kind = static_cast<ForceKind>(kind);
+    f.everywhere = everywhere;
+    f.vector = to_vec2(vector, "Force", "vector");
+    f.anchor = to_vec2(anchor, "Force", "anchor");
+    f.at_anchor = at_anchor;
+    f.target = target;
+    f.stiffness = stiffness;
+    f.rest_length = rest_length;
+    f.damping = damping;
+    f.linear = linear;
+    f.quadratic = quadratic;
+    f.limit = limit;
+    Area where;
+    if (area) set_area(where, *area, area_at, area_angle);
+    return add_force(w, std::move(f), std::move(where)).slot;
+}
+
+void bind_spec(nb::module_& module) {
+    nb::class_<BodySpec> c(module, "BodySpec", "What a new body shall be.");
+    c.def(
+        "__init__",
+        [](BodySpec* self, int kind, nb::handle at, double angle, nb::handle velocity, float spin, float damping, float angular_damping,
+           float drag, float gravity_scale, float density, float friction, float restitution, float mass, bool bullet, bool touchable,
+           std::string tag) {
+            BodySpec s;
+            Body& b = s.row;
+            b.kind = static_cast<BodyKind>(kind);
+            b.pose.p = to_vec2(at, "World.add()", "at");
+            b.angle = angle;
+            b.velocity = to_vec2(velocity, "World.add()", "velocity");
+            b.spin = spin;
+            b.damping = damping;
+            b.angular_damping = angular_damping;
+            b.drag = drag;
+            b.gravity_scale = gravity_scale;
+            b.density = density;
+            b.friction = friction;
+            b.restitution = restitution;
+            b.set_mass = mass;
+            b.bullet = bullet;
+            b.touchable = touchable;
+            s.tag = std::move(tag);
+            new (self) BodySpec(std::move(s));
+        },
+        nb::kw_only(), nb::arg("kind"), nb::arg("at"), nb::arg("angle"), nb::arg("velocity"), nb::arg("spin"), nb::arg("damping"),
+        nb::arg("angular_damping"), nb::arg("drag"), nb::arg("gravity_scale"), nb::arg("density"), nb::arg("friction"),
+        nb::arg("restitution"), nb::arg("mass"), nb::arg("bullet"), nb::arg("touchable"), nb::arg("tag"));
+}
+
+void bind_objects(nb::class_<World>& c) {
+    c.def("add", add, nb::arg("spec"), nb::arg("shapes"));
+    c.def("use", used, nb::arg("spec"), nb::arg("offset"), nb::arg("angle"), nb::arg("density"), nb::arg("friction"), nb::arg("restitution"));
+    c.def("add_shape", [](World& w, const BodyHandle& body, const NewShape& shape) {
+        require_alive(body);
+        Added<ShapeRef> added = add_shape(w, body.ref.slot, shape);
+        if (added.problem != MassProblem::none) raise_mass(added.problem, "Body.add_shape");
+        return added.ref.slot;
+    });
+    c.def("material", [](const World& w, std::uint32_t slot) {
+        const Body& b = w.bodies.rows.at(slot);
+        return nb::make_tuple(b.density, b.friction, b.restitution);
+    });
+    c.def("add_force", add_force_of, nb::kw_only(), nb::arg("kind"), nb::arg("everywhere"), nb::arg("vector"), nb::arg("anchor"),
+          nb::arg("at_anchor"), nb::arg("target"), nb::arg("stiffness"), nb::arg("rest_length"), nb::arg("damping"), nb::arg("linear"),
+          nb::arg("quadratic"), nb::arg("limit"), nb::arg("area").none(), nb::arg("area_at"), nb::arg("area_angle"));
+    c.def("body_slots", body_slots);
+    c.def("force_slots", [](const World& w) {
+        std::vector<std::uint32_t> list;
+        for (std::uint32_t s = 0; s < w.forces.slots.size(); ++s)
+            if (w.forces.slots.taken(s)) list.push_back(s);
+        return list;
+    });
+    c.def("body_generation", [](const World& w, std::uint32_t slot) { return slot < w.bodies.slots.size() ? w.bodies.slots.generation(slot) : 0u; });
+    c.def("shape_generation", [](const World& w, std::uint32_t slot) { return slot < w.shapes.slots.size() ? w.shapes.slots.generation(slot) : 0u; });
+    c.def("force_generation", [](const World& w, std::uint32_t slot) { return slot < w.forces.slots.size() ? w.forces.slots.generation(slot) : 0u; });
+    c.def_prop_ro("body_count", [](const World& w) { return w.bodies.slots.count(); });
+}
+
+} // namespace
+
+void register_world(nb::module_& module) {
+    bind_spec(module);
+    nb::class_<World> c(module, "World", "The simulation's state and kernels.");
+    c.def(nb::init<>());
+    c.def(
+        "step", [](World& w, float dt, int substeps) { w.step(dt, substeps); }, nb::arg("dt"), nb::arg("substeps"),
+        nb::call_guard<nb::gil_scoped_release>());
+    c.def_prop_rw(
+        "gravity", [](const World& w) { return from_vec2(w.gravity); },
+        [](World& w, nb::handle value) { set_gravity(w, to_vec2(value, "World", "gravity")); });
+    c.def_rw("sleep", &World::sleep_allowed);
+    c.def_ro("steps", &World::steps);
+    c.def_ro("time", &World::time);
+    bind_objects(c);
+    c.def_prop_ro("begun", [](const World& w) { return from_touches(w.contacts.begun); });
+    c.def_prop_ro("ended", [](const World& w) { return from_touches(w.contacts.ended); });
+    c.def_prop_ro("active", [](const World& w) { return from_touches(w.contacts.touches); });
+    c.def_prop_ro("positions", [](const World& w) { return view_of(w, &Arrays::positions, 2); });
+    c.def_prop_ro("angles", [](const World& w) { return view_of(w, &Arrays::angles, 1); });
+    c.def_prop_ro("velocities", [](const World& w) { return view_of(w, &Arrays::velocities, 2); });
+    c.def_prop_ro("matrices", [](const World& w) { return view_of(w, &Arrays::matrices, 16); });
+    c.def("ray_cast", cast_ray, nb::arg("start"), nb::arg("end"));
+    c.def("bodies_at", [](const World& w, nb::handle point) {
+        std::vector<std::uint32_t> found;
+        bodies_at(w.shapes, w.bodies, to_vec2(point, "World.bodies_at", "point"), found);
+        return found;
+    });
+    c.def("overlapping", overlapping, nb::arg("shape"), nb::arg("at"), nb::arg("angle"));
+    c.def("snapshot", [](const World& w) {
+        std::vector<std::uint8_t> bytes = snapshot(w);
+        return nb::bytes(bytes.data(), bytes.size());
+    });
+    c.def("restore", restore_from);
+    c.def("checksum", [](const World& w) { return checksum(w); });
+}
+
+} // namespace evil::bind
