@@ -33,6 +33,7 @@ template <Vec2 Force::*Field> void bind_vec2(nb::class_<ForceHandle>& c, const c
 } // namespace
 
 void register_force(nb::module_& module) {
+    module.attr("NO_SLOT") = kNone;
     nb::class_<ForceHandle> c(module, "Force", "Reference to a force of a world.");
     c.def(
         "__init__",
@@ -53,6 +54,7 @@ void register_force(nb::module_& module) {
     bind_float<&Force::limit>(c, "limit");
     c.def_prop_rw(
         "note", [](const ForceHandle& h) { return row(h).note; }, [](const ForceHandle& h, const std::string& note) { row(h).note = note; });
+    c.def_prop_ro("at_anchor", [](const ForceHandle& h) { return row(h).at_anchor; });
     c.def_prop_ro("everywhere", [](const ForceHandle& h) { return row(h).everywhere; });
     c.def_prop_ro("kind", [](const ForceHandle& h) { return static_cast<int>(row(h).kind); });
     c.def_prop_ro("target", [](const ForceHandle& h) { return row(h).target; });

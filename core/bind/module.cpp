@@ -5,6 +5,11 @@
 NB_MODULE(_core, module) {
     module.doc() = "EvilEngine's C++ core. Use evilengine, its public face.";
     evil::bind::load_python_types();
+    evil::bind::register_views(module);
+    evil::bind::register_shape(module);
+    evil::bind::register_world(module);
+    evil::bind::register_body(module);
+    evil::bind::register_force(module);
     evil::bind::register_math(module);
     evil::bind::register_mat4(module);
     evil::bind::register_shapes(module);

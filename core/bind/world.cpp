@@ -210,9 +210,7 @@ void register_world(nb::module_& module) {
     bind_spec(module);
     nb::class_<World> c(module, "World", "The simulation's state and kernels.");
     c.def(nb::init<>());
-    c.def(
-        "step", [](World& w, float dt, int substeps) { w.step(dt, substeps); }, nb::arg("dt"), nb::arg("substeps"),
-        nb::call_guard<nb::gil_scoped_release>());
+    c.def("step", [](World& w, float dt, int substeps) { w.step(dt, substeps); }, nb::arg("dt"), nb::arg("substeps"));
     c.def_prop_rw(
         "gravity", [](const World& w) { return from_vec2(w.gravity); },
         [](World& w, nb::handle value) { set_gravity(w, to_vec2(value, "World", "gravity")); });

@@ -1,1 +1,1 @@
-
+"""The simulation: bodies, shapes, forces, contacts. Thin typed faces of the core."""

@@ -1,0 +1,551 @@
+"""World: simulation alone, without window, files or clock."""
+
+from __future__ import annotations
+
+import functools
+import importlib
+import json
+from collections.abc import Iterable, Iterator
+from typing import Any, TypeVar
+
+from evilengine import _core
+from evilengine.values.checks import known_keywords, number, one_of
+from evilengine.values.errors import ArgumentError, ArgumentTypeError, SnapshotError
+from evilengine.values.vec2 import Point, Vec2, to_vec2
+from evilengine.world import forces as force_kinds
+from evilengine.world.body import KINDS, Body, Motion, Shape, to_tag
+from evilengine.world.contacts import Contact, Contacts, RayHit
+from evilengine.world.forces import Force
+from evilengine.world.shapes import ShapeDefinition, to_shape
+
+MAX_STEP = 1.0
+"""Seconds: the longest step. A longer one is a mistake in units."""
+
+MAX_SPEED = 1e5
+MAX_SPIN = 1e4
+WORLD_EDGE = 1e7
+
+AnyForce = TypeVar("AnyForce", bound=Force)
+BUILT_IN = {c._kind: c for c in (force_kinds.Gravity, force_kinds.ConstantForce, force_kinds.Spring, force_kinds.Drag,
+                                 force_kinds.Medium, force_kinds.Pull)}  # fmt: skip
+
+
+class World:
+    """Bodies, forces and contacts, and the step that moves them.
+
+    `gravity` in m/s2; `sleep` lets bodies that rest cost nothing; `threads` is how many threads a step may use (the
+    result is the same for any number; steps run on one for now). Units are metres, seconds, kilograms, radians; y is up.
+
+    >>> from evilengine import Circle
+    >>> world = World(gravity=(0, -10))
+    >>> ball = world.add(Circle(0.5), at=(0, 10))
+    >>> for _ in range(60):
+    ...     world.step(1 / 60)
+    >>> 4.9 < ball.position.y < 5.1
+    True
+    """
+
+    @known_keywords
+    def __init__(self, gravity: Point = (0.0, -9.81), *, threads: int = 1, sleep: bool = True) -> None:
+        self._core = _core.World()
+        self._body_type: type[Body] = Body  # a Game's bodies know their drawings
+        self._handles: dict[int, Body] = {}
+        self._shape_handles: dict[int, Shape] = {}
+        self._forces: dict[int, Force] = {}
+        self._updated: list[Body] = []  # bodies with on_update
+        self._motions: dict[int, tuple[Body, Motion]] = {}
+        self._stepping = False
+        self.gravity = to_vec2(gravity, "World", "gravity")
+        self.sleep = sleep
+        if isinstance(threads, bool) or not isinstance(threads, int) or not 1 <= threads <= 256:
+            raise ArgumentError(f"World: threads={threads!r} must be a whole number from 1 to 256")
+        self._threads = threads
+
+    # -- what it is --
+
+    @property
+    def gravity(self) -> Vec2:
+        """Acceleration of all dynamic bodies, m/s2. Changing it wakes them."""
+        return self._core.gravity
+
+    @gravity.setter
+    def gravity(self, value: Point) -> None:
+        gravity = to_vec2(value, "World", "gravity")
+        if gravity.length > 1e6:
+            raise ArgumentError(f"World: gravity={value!r} must be at most 1e6 m/s2 strong")
+        self._core.gravity = gravity
+
+    @property
+    def sleep(self) -> bool:
+        """May bodies that rest fall asleep?"""
+        return self._core.sleep
+
+    @sleep.setter
+    def sleep(self, value: bool) -> None:
+        if not isinstance(value, bool):
+            raise ArgumentTypeError(f"World: sleep={value!r} must be True or False")
+        self._core.sleep = value
+
+    @property
+    def threads(self) -> int:
+        """How many threads a step may use."""
+        return self._threads
+
+    @property
+    def time(self) -> float:
+        """Seconds simulated so far."""
+        return self._core.time
+
+    @property
+    def steps(self) -> int:
+        """Steps made so far."""
+        return self._core.steps
+
+    @property
+    def bodies(self) -> Bodies:
+        """All bodies, in creation order; and their positions, velocities, ... as arrays."""
+        return Bodies(self)
+
+    @property
+    def forces(self) -> tuple[Force, ...]:
+        """All forces, in the order of their slots."""
+        return tuple(self._forces[slot] for slot in sorted(self._forces))
+
+    @property
+    def contacts(self) -> Contacts:
+        """What touched in the last step: `.begun`, `.ended`, `.active`."""
+        return Contacts(self)
+
+    # -- adding --
+
+    @known_keywords
+    def add(
+        self,
+        shape: ShapeDefinition | Iterable[ShapeDefinition],
+        *,
+        at: Point = (0.0, 0.0),
+        angle: float = 0.0,
+        kind: str = "dynamic",
+        density: float = 1.0,
+        mass: float | None = None,
+        friction: float = 0.6,
+        restitution: float = 0.0,
+        velocity: Point = (0.0, 0.0),
+        angular_velocity: float = 0.0,
+        damping: float = 1.0,
+        angular_damping: float = 1.0,
+        drag: float = 1.0,
+        gravity_scale: float = 1.0,
+        bullet: bool = False,
+        touchable: bool = False,
+        tag: str | None = None,
+    ) -> Body:
+        """Add a body made of `shape` (or of several shapes) with its origin `at`, and return its handle.
+
+        `kind` is "dynamic", "kinematic" or "static". `density` is relative to water; `mass` (kg) overrides it.
+        `damping` and `angular_damping` are the fractions of velocity kept per second, 1 for none lost. `restitution` is
+        0 (no bounce) to 1. `touchable` bodies can be dragged by fingers and mouse.
+
+        Raises ArgumentError, ArgumentTypeError or ShapeError for what is not allowed; the world is then as before.
+
+        >>> world = World()
+        >>> world.add(Rectangle(40, 1), at=(0, -0.5), kind="static").kind
+        'static'
+        """
+        me = "World.add()"
+        shapes = [shape] if isinstance(shape, ShapeDefinition) else _several(shape, me)
+        density = number(density, me, "density", least=0.0, most=1e9)
+        friction = number(friction, me, "friction", least=0.0, most=1e6)
+        restitution = number(restitution, me, "restitution", least=0.0, most=1.0)
+        spec = _core.BodySpec(
+            kind=KINDS.index(one_of(kind, me, "kind", KINDS)),
+            at=_place(at, me),
+            angle=number(angle, me, "angle", least=-1e15, most=1e15),
+            velocity=_speed(velocity, me),
+            spin=number(angular_velocity, me, "angular_velocity", least=-MAX_SPIN, most=MAX_SPIN),
+            damping=number(damping, me, "damping", least=0.0, most=1.0),
+            angular_damping=number(angular_damping, me, "angular_damping", least=0.0, most=1.0),
+            drag=number(drag, me, "drag", least=0.0, most=1e6),
+            gravity_scale=number(gravity_scale, me, "gravity_scale", least=-1e6, most=1e6),
+            density=density,
+            friction=friction,
+            restitution=restitution,
+            mass=0.0 if mass is None else number(mass, me, "mass", least=1e-12, most=1e12),
+            bullet=_flag(bullet, me, "bullet"),
+            touchable=_flag(touchable, me, "touchable"),
+            tag=to_tag(tag, me),
+        )
+        use = self._core.use
+        slot = self._core.add(spec, [use(s._spec, (0.0, 0.0), 0.0, density, friction, restitution) for s in shapes])
+        body = self._body(slot)
+        for shape_slot, definition in zip(body._shape_slots(), shapes, strict=True):
+            self._shape(shape_slot, definition=definition)
+        return body
+
+    def add_force(self, force: AnyForce, bodies: Iterable[Body] | None = None) -> AnyForce:
+        """Let one `force` act on `bodies`, or on every dynamic body when none are named; returns it (SPEC P2).
+
+        A force that is already in this world is shared: the bodies are attached to it as well.
+
+        >>> world = World(gravity=(0, 0))
+        >>> a, b = world.add(Circle(1)), world.add(Circle(1), at=(3, 0))
+        >>> world.add_force(Gravity((0, -2)), [a, b]).bodies == (a, b)
+        True
+        """
+        if not isinstance(force, Force):
+            raise ArgumentTypeError(f"World.add_force: force must be a Force such as Spring(...) or your own subclass; got {force!r}")
+        chosen = None if bodies is None else [self._own_body(body, "World.add_force", "bodies") for body in _listed(bodies)]
+        if force._core is None:
+            self._enter(force, everywhere=chosen is None)
+        elif force._world is not self:
+            raise ArgumentError(f"World.add_force: {force!r} is in another world; make another for this one")
+        for body in chosen or ():
+            force._handle().attach(body)
+        return force
+
+    def _enter(self, force: Force, *, everywhere: bool) -> None:
+        values: dict[str, Any] = {
+            "vector": (0.0, 0.0), "anchor": (0.0, 0.0), "at_anchor": False, "target": _core.NO_SLOT, "stiffness": 0.0,
+            "rest_length": 0.0, "damping": 0.0, "linear": 0.0, "quadratic": 0.0, "limit": 0.0, "area": None,
+            "area_at": (0.0, 0.0), "area_angle": 0.0,
+        }  # fmt: skip
+        values.update(force._parameters(self))
+        slot = self._core.add_force(kind=force._kind, everywhere=everywhere, **values)
+        force._bind(self, _core.Force(self._core, slot, self._core.force_generation(slot)))
+        self._forces[slot] = force
+
+    # -- stepping --
+
+    def step(self, dt: float = 1.0 / 60.0, substeps: int = 4) -> None:
+        """Move the world on by `dt` seconds (more than 0, at most 1), in `substeps` parts (1 to 256).
+
+        Behaviours and Python forces act first, then the core steps, then events are told, in creation order. An
+        exception in a callback comes out of here with the world whole.
+
+        >>> world = World(); world.step(); world.steps
+        1
+        """
+        dt = number(dt, "World.step", "dt", above=0.0, most=MAX_STEP)
+        if isinstance(substeps, bool) or not isinstance(substeps, int) or not 1 <= substeps <= 256:
+            raise ArgumentError(f"World.step: substeps={substeps!r} must be a whole number from 1 to 256")
+        if self._stepping:
+            raise ArgumentError("World.step: called inside a callback of this world's step; the step goes on by itself")
+        self._stepping = True
+        try:
+            self._update(dt)
+            self._move_followers(dt)
+            self._ask_forces(dt)
+            self._core.step(dt, substeps)
+            self._tell_events()
+        finally:
+            self._stepping = False
+
+    def _update(self, dt: float) -> None:
+        self._updated = [body for body in self._updated if body.alive]
+        for body in tuple(self._updated):
+            if body.alive:
+                body._callbacks["on_update"].run(dt)
+
+    def _move_followers(self, dt: float) -> None:
+        for slot, (body, motion) in tuple(self._motions.items()):
+            if not body.alive or body.kind != "kinematic":
+                self._motions.pop(slot, None)
+                continue
+            goal: Any = motion(self.time + dt)
+            angle = body.angle
+            if isinstance(goal, (tuple, list)) and len(goal) == 2 and not isinstance(goal[0], (int, float)):
+                goal, angle = goal[0], number(goal[1], "Body.follow", "motion's angle")
+            there = to_vec2(goal, "Body.follow", "motion's point")
+            spin = (angle - body.angle) / dt
+            # the centre of mass moves, the origin shall arrive: turn the arm between them along
+            arm = body.centre - body.position
+            body.velocity = (there + arm.turned(angle - body.angle) - body.centre) / dt
+            body.angular_velocity = spin
+
+    def _ask_forces(self, dt: float) -> None:
+        for force in self.forces:
+            if force._kind == force_kinds.PYTHON and force.alive:
+                force.apply(force.bodies, dt)
+
+    def _tell_events(self) -> None:
+        listeners = [body for body in self._handles.values() if body._callbacks]
+        for name, rows in (("on_collide", self._core.begun), ("on_separate", self._core.ended)):
+            if rows and any(name in body._callbacks for body in listeners):
+                for contact in self.contacts._all(rows):
+                    self._tell(name, contact)
+
+    def _tell(self, name: str, contact: Contact) -> None:
+        for body in (contact.a, contact.b):
+            if body.alive and name in body._callbacks:
+                body._callbacks[name].run(contact)
+
+    # -- asking --
+
+    def find(self, tag: str) -> Body | None:
+        """The first body, in creation order, with that tag, or None."""
+        return next((body for body in self.bodies if body._tag == tag), None)
+
+    def ray_cast(self, start: Point, end: Point) -> RayHit | None:
+        """First shape that the segment from `start` to `end` enters (world coordinates, metres), or None.
+
+        A shape that the segment starts in does not count.
+
+        >>> world = World(); wall = world.add(Rectangle(1, 4), at=(5, 0), kind="static")
+        >>> hit = world.ray_cast((0, 0), (10, 0))
+        >>> hit.body is wall, hit.point, hit.normal
+        (True, Vec2(4.5, 0.0), Vec2(-1.0, 0.0))
+        """
+        hit = self._core.ray_cast(start, end)
+        if hit is None:
+            return None
+        body, shape, point, normal, fraction = hit
+        return RayHit(self._body(body), self._shape(shape), point, normal, fraction)
+
+    def bodies_at(self, point: Point) -> tuple[Body, ...]:
+        """Bodies with a shape over the point, in creation order.
+
+        >>> world = World(); box = world.add(Rectangle(2, 2))
+        >>> world.bodies_at((0.5, 0.5)) == (box,), world.bodies_at((5, 5))
+        (True, ())
+        """
+        return tuple(self._body(slot) for slot in self._core.bodies_at(point))
+
+    @known_keywords
+    def overlapping(self, shape: ShapeDefinition, *, at: Point = (0.0, 0.0), angle: float = 0.0) -> tuple[Body, ...]:
+        """Bodies that `shape`, placed `at` and turned by `angle`, would overlap, in creation order.
+
+        >>> world = World(); box = world.add(Rectangle(2, 2))
+        >>> world.overlapping(Circle(1), at=(1.5, 0)) == (box,)
+        True
+        """
+        me = "World.overlapping"
+        spec = to_shape(shape, me)._spec
+        slots = self._core.overlapping(spec, to_vec2(at, me, "at"), number(angle, me, "angle"))
+        return tuple(self._body(slot) for slot in slots)
+
+    # -- saving --
+
+    def snapshot(self) -> bytes:
+        """The whole state as bytes: exact, and the same on every machine.
+
+        A world restored from it and continued equals one that never stopped, byte for byte. Functions (callbacks,
+        motions) are not in it; forces written in Python are, with their plain attributes.
+
+        >>> world = World(); ball = world.add(Circle(1))
+        >>> data = world.snapshot(); world.step(); world.restore(data); world.checksum() == World.of(data).checksum()
+        True
+        """
+        self._note_python_forces()
+        return self._core.snapshot()
+
+    def checksum(self) -> int:
+        """64 bits over the whole state; equal worlds have equal checksums, on every machine."""
+        self._note_python_forces()
+        return self._core.checksum()
+
+    @classmethod
+    def of(cls, data: bytes) -> World:
+        """A new world from a snapshot."""
+        world = cls()
+        world.restore(data)
+        return world
+
+    def restore(self, data: bytes) -> None:
+        """Become what `snapshot` saw: all or nothing.
+
+        Handles of objects that were there then and have not been destroyed since stay good. Those made after it, and
+        those destroyed since, are stale, for ever: get fresh ones from `world.bodies` or `world.find(tag)`.
+        Raises SnapshotError for bytes that are not a whole snapshot; the world is then as before.
+        """
+        if not isinstance(data, (bytes, bytearray, memoryview)):
+            raise ArgumentTypeError(f"World.restore: data must be the bytes of a snapshot; got {type(data).__name__}")
+        before = self._core.snapshot()
+        self._note_python_forces()
+        self._core.restore(bytes(data))
+        try:
+            forces = self._forces_now()
+        except SnapshotError:
+            self._core.restore(before)
+            raise
+        self._forces = forces
+        self._handles = {slot: body for slot, body in self._handles.items() if body.alive}
+        self._shape_handles = {slot: shape for slot, shape in self._shape_handles.items() if shape.alive}
+        self._motions = {slot: pair for slot, pair in self._motions.items() if pair[0].alive}
+        for body in self._handles.values():
+            body._tag = body._tag  # the handle's own copy, for its epitaph
+
+    def _note_python_forces(self) -> None:
+        for force in self._forces.values():
+            if force._kind == force_kinds.PYTHON:
+                force._handle().note = force._note()
+
+    def _forces_now(self) -> dict[int, Force]:
+        """An object for each force of the core: the one that was there, or a new one."""
+        forces = {}
+        for slot in self._core.force_slots():
+            handle = _core.Force(self._core, slot, self._core.force_generation(slot))
+            old = self._forces.get(slot)
+            kept = old if old is not None and old._core == handle else None
+            if handle.kind == force_kinds.PYTHON:
+                forces[slot] = _python_force(self, handle, kept)
+            else:
+                forces[slot] = kept or BUILT_IN[handle.kind]._adopt(self, handle)
+        return forces
+
+    # -- handles --
+
+    def _body(self, slot: int, generation: int | None = None) -> Body:
+        """The one handle of the body in a slot; for a generation that is gone, a stale one."""
+        handle = self._handles.get(slot)
+        if handle is not None and handle.generation == (self._core.body_generation(slot) if generation is None else generation):
+            return handle
+        current = self._core.body_generation(slot)
+        handle = self._body_type(self, slot, current if generation is None else generation)
+        if handle.alive:
+            self._handles[slot] = handle
+        return handle
+
+    def _shape(self, slot: int, generation: int | None = None, definition: ShapeDefinition | None = None) -> Shape:
+        handle = self._shape_handles.get(slot)
+        current = self._core.shape_generation(slot)
+        wanted = current if generation is None else generation
+        if handle is not None and handle.generation == wanted and definition is None:
+            return handle
+        handle = Shape(self, slot, wanted, definition)
+        if handle.alive:
+            self._shape_handles[slot] = handle
+        return handle
+
+    def _own_body(self, body: object, owner: str, argument: str) -> Body:
+        """`body` if it is a live body of this world, else an error."""
+        if not isinstance(body, Body):
+            raise ArgumentTypeError(f"{owner}: {argument} must be a Body, as world.add returns; got {body!r}")
+        body._require()
+        if body._world is not self:
+            raise ArgumentError(f"{owner}: {argument}={body!r} is a body of another world")
+        return body
+
+    def _destroy_body(self, body: Body) -> None:
+        for shape in body.shapes:
+            shape._bury(self.steps)
+            self._shape_handles.pop(shape.slot, None)
+        (self._handles.get(body.slot) or body)._bury(self.steps)
+        body._bury(self.steps)
+        body._destroy()
+        self._handles.pop(body.slot, None)
+        self._motions.pop(body.slot, None)
+        for slot, force in tuple(self._forces.items()):  # springs to it went with it
+            if not force.alive:
+                assert force._core is not None
+                force._core._bury(self.steps)
+                del self._forces[slot]
+
+    def _destroy_shape(self, shape: Shape) -> None:
+        shape._destroy()
+        shape._bury(self.steps)
+        self._shape_handles.pop(shape.slot, None)
+
+    def _forget_force(self, force: Force) -> None:
+        self._forces.pop(force._handle().slot, None)
+
+    def __repr__(self) -> str:
+        return f"<World, {len(self.bodies)} bodies, step {self.steps}>"
+
+
+class Bodies:
+    """A world's bodies in creation order, and their values as arrays with a row for each slot (`body.slot`).
+
+    The arrays are views without a copy, refreshed after each step; `numpy.asarray(world.bodies.positions)` works. A row
+    whose slot is free holds zeros.
+    """
+
+    __slots__ = ("_world",)
+
+    def __init__(self, world: World) -> None:
+        self._world = world
+
+    def __len__(self) -> int:
+        return self._world._core.body_count
+
+    def __iter__(self) -> Iterator[Body]:
+        return iter([self._world._body(slot) for slot in self._world._core.body_slots()])
+
+    def __contains__(self, body: object) -> bool:
+        return isinstance(body, Body) and body._world is self._world and body.alive
+
+    @property
+    def positions(self) -> _core.View:
+        """(n, 2) float32: where each body's origin is."""
+        return self._world._core.positions
+
+    @property
+    def angles(self) -> _core.View:
+        """(n,) float32: radians."""
+        return self._world._core.angles
+
+    @property
+    def velocities(self) -> _core.View:
+        """(n, 2) float32: metres a second."""
+        return self._world._core.velocities
+
+    @property
+    def matrices(self) -> _core.View:
+        """(n, 16) float32: body to world, column by column."""
+        return self._world._core.matrices
+
+    def __repr__(self) -> str:
+        return f"<Bodies, {len(self)}>"
+
+
+def _several(shapes: object, owner: str) -> list[ShapeDefinition]:
+    if isinstance(shapes, Iterable) and not isinstance(shapes, (str, bytes)):
+        found = [to_shape(shape, owner) for shape in shapes]
+        if found:
+            return found
+    return [to_shape(shapes, owner)]
+
+
+def _listed(bodies: object) -> list[Any]:
+    if isinstance(bodies, Body):
+        return [bodies]
+    if not isinstance(bodies, Iterable):
+        raise ArgumentTypeError(f"World.add_force: bodies={bodies!r} must be a list of bodies, or None for all")
+    return list(bodies)
+
+
+def _flag(value: object, owner: str, argument: str) -> bool:
+    if not isinstance(value, bool):
+        raise ArgumentTypeError(f"{owner}: {argument}={value!r} must be True or False")
+    return value
+
+
+def _place(value: object, owner: str) -> Vec2:
+    at = to_vec2(value, owner, "at")
+    if at.length > WORLD_EDGE:
+        raise ArgumentError(f"{owner}: at={value!r} must be within {WORLD_EDGE:g} metres of the origin")
+    return at
+
+
+def _speed(value: object, owner: str) -> Vec2:
+    velocity = to_vec2(value, owner, "velocity")
+    if max(abs(velocity.x), abs(velocity.y)) > MAX_SPEED:
+        raise ArgumentError(f"{owner}: velocity={value!r} must be at most {MAX_SPEED:g} m/s along each axis")
+    return velocity
+
+
+def _python_force(world: World, handle: _core.Force, kept: Force | None) -> Force:
+    """The object of a Python force after a restore, with the attributes that were saved."""
+    module, name, state = json.loads(handle.note)
+    force = kept
+    if force is None:
+        try:
+            kind = functools.reduce(getattr, name.split("."), importlib.import_module(module))
+            force = kind.__new__(kind)
+        except (ImportError, AttributeError, TypeError, ValueError):
+            raise SnapshotError(
+                f"World.restore: the force {module}.{name} of this snapshot cannot be found; define it at the top of an"
+                " importable module"
+            ) from None
+        force._bind(world, handle)
+    force._restore_note(state)
+    return force
