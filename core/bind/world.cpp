@@ -177,7 +177,6 @@ void bind_spec(nb::module_& module) {
 
 void bind_objects(nb::class_<World>& c) {
     c.def("add", add, nb::arg("spec"), nb::arg("shapes"));
-    c.def("use", used, nb::arg("spec"), nb::arg("offset"), nb::arg("angle"), nb::arg("density"), nb::arg("friction"), nb::arg("restitution"));
     c.def("add_shape", [](World& w, const BodyHandle& body, const NewShape& shape) {
         require_alive(body);
         Added<ShapeRef> added = add_shape(w, body.ref.slot, shape);
@@ -208,6 +207,8 @@ void bind_objects(nb::class_<World>& c) {
 
 void register_world(nb::module_& module) {
     bind_spec(module);
+    module.def("use", used, nb::arg("spec"), nb::arg("offset"), nb::arg("angle"), nb::arg("density"), nb::arg("friction"),
+               nb::arg("restitution"), "A shape with the place and material of one use.");
     nb::class_<World> c(module, "World", "The simulation's state and kernels.");
     c.def(nb::init<>());
     c.def("step", [](World& w, float dt, int substeps) { w.step(dt, substeps); }, nb::arg("dt"), nb::arg("substeps"));

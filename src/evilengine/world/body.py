@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from evilengine import _core
 from evilengine.math import Mat4
+
 from evilengine.values.callbacks import Callbacks
 from evilengine.values.checks import known_keywords, number, one_of
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
@@ -112,7 +113,7 @@ class Body(_core.Body):
         """
         spec = to_shape(shape, "Body.add_shape")._spec
         own_density, own_friction, own_restitution = self._world._core.material(self._require())
-        used = self._world._core.use(
+        used = _core.use(
             spec,
             to_vec2(offset, "Body.add_shape", "offset"),
             number(angle, "Body.add_shape", "angle"),

@@ -175,7 +175,7 @@ class World:
             touchable=_flag(touchable, me, "touchable"),
             tag=to_tag(tag, me),
         )
-        use = self._core.use
+        use = _core.use
         slot = self._core.add(spec, [use(s._spec, (0.0, 0.0), 0.0, density, friction, restitution) for s in shapes])
         body = self._body(slot)
         for shape_slot, definition in zip(body._shape_slots(), shapes, strict=True):
