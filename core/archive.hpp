@@ -12,7 +12,8 @@
 
 namespace evil {
 
-static_assert(std::endian::native == std::endian::little, "snapshots are little-endian; swap bytes in Writer and Reader");
+static_assert(std::endian::native == std::endian::little,
+              "snapshots are little-endian; swap bytes in Writer and Reader");
 
 class Writer {
 public:
@@ -74,7 +75,8 @@ template <class A, class T>
 void visit(A& archive, T& v) {
     archive.value(v);
 }
-template <class A> void visit(A& archive, auto& v, auto&... more)
+template <class A>
+void visit(A& archive, auto& v, auto&... more)
     requires(sizeof...(more) > 0)
 {
     visit(archive, v);

@@ -8,9 +8,10 @@ namespace evil {
 
 enum class BodyKind : std::uint8_t { fixed, kinematic, dynamic }; // "static" is a word of C++'s own
 
-inline constexpr float kMaxSpeed = 1e5f;       // m/s; beyond it positions lose their decimals within a second
-inline constexpr float kMaxSpin = 1e4f;        // rad/s
-inline constexpr float kWorldEdge = 1e7f;  // metres from the origin; a body that gets there stays there, so that no infinity is born
+inline constexpr float kMaxSpeed = 1e5f; // m/s; beyond it positions lose their decimals within a second
+inline constexpr float kMaxSpin = 1e4f;  // rad/s
+inline constexpr float kWorldEdge =
+    1e7f; // metres from the origin; a body that gets there stays there, so that no infinity is born
 inline constexpr float kMaxMass = 1e12f, kMinMass = 1e-12f;
 
 // Into [-limit, limit], and not-a-number into 0: whatever was asked for, no NaN leaves a step.
@@ -27,27 +28,27 @@ struct Body {
     BodyKind kind = BodyKind::dynamic;
     bool bullet = false, touchable = false, awake = true;
 
-    Pose pose;            // body to world: p is the origin that shapes are placed by, q the rotation by `angle`
-    double angle = 0.0;   // radians, not wrapped; double so that a wheel may turn for hours
-    Vec2 scale{1, 1};     // of every shape on the body
-    Vec2 centre;          // centre of mass, world
-    Vec2 local_centre;    // centre of mass, body frame
-    Vec2 velocity;        // of the centre of mass
-    float spin = 0.0f;    // angular velocity
+    Pose pose;          // body to world: p is the origin that shapes are placed by, q the rotation by `angle`
+    double angle = 0.0; // radians, not wrapped; double so that a wheel may turn for hours
+    Vec2 scale{1, 1};   // of every shape on the body
+    Vec2 centre;        // centre of mass, world
+    Vec2 local_centre;  // centre of mass, body frame
+    Vec2 velocity;      // of the centre of mass
+    float spin = 0.0f;  // angular velocity
 
-    Vec2 force;           // gathered since the last step, cleared by it
+    Vec2 force; // gathered since the last step, cleared by it
     float torque = 0.0f;
-    Vec2 acceleration;    // of the last step, by forces alone: a resting contact takes it out (SPEC C7)
+    Vec2 acceleration; // of the last step, by forces alone: a resting contact takes it out (SPEC C7)
 
     float mass = 0.0f, inv_mass = 0.0f, inertia = 0.0f, inv_inertia = 0.0f; // inertia about the centre of mass
-    float set_mass = 0.0f; // what the user asked for; 0: the shapes' densities decide
+    float set_mass = 0.0f;                        // what the user asked for; 0: the shapes' densities decide
     float damping = 1.0f, angular_damping = 1.0f; // fraction of velocity kept per second
     float drag = 1.0f, gravity_scale = 1.0f;
     float density = 1.0f, friction = 0.6f, restitution = 0.0f; // what a shape gets that is added without its own
     float still_time = 0.0f;                                   // seconds below the sleep speeds
 
-    std::uint64_t serial = 0; // order of creation, never used again within a world
-    std::uint64_t born = 0;   // step at which it was added
+    std::uint64_t serial = 0;                              // order of creation, never used again within a world
+    std::uint64_t born = 0;                                // step at which it was added
     std::uint32_t first_shape = kNone, last_shape = kNone; // its shapes in the order they were added
 };
 
@@ -67,7 +68,7 @@ inline void place_by_origin(Body& b) {
 struct Bodies { // State: rows by slot
     Slots slots;
     std::vector<Body> rows;
-    std::vector<std::string> tags;   // "" : none
+    std::vector<std::string> tags; // "" : none
     std::uint64_t next_serial = 0;
 };
 

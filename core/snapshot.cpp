@@ -9,6 +9,18 @@ constexpr char kMagic[8] = {'E', 'V', 'I', 'L', 'W', 'R', 'L', 'D'};
 
 } // namespace
 
+struct SavedState { // what is read before the world is touched
+    Vec2 gravity;
+    bool sleep_allowed = true;
+    std::uint64_t steps = 0;
+    double time = 0.0;
+    Bodies bodies;
+    Shapes shapes;
+    Contacts contacts;
+    Forces forces;
+    std::vector<bool> body_taken, shape_taken, piece_taken, force_taken;
+};
+
 // ---- fields, in one place for both directions (not in the unnamed namespace: archives find them by their argument) ---
 
 template <class A, Like<std::string> V> void visit(A& ar, V& text) {
@@ -22,9 +34,9 @@ template <class A, class Element> void visit(A& ar, const std::vector<Element>& 
 
 template <class A, Like<Body> V> void visit(A& ar, V& b) {
     visit(ar, b.kind, b.bullet, b.touchable, b.awake, b.pose, b.angle, b.scale, b.centre, b.local_centre, b.velocity,
-          b.spin, b.force, b.torque, b.acceleration, b.mass, b.inv_mass, b.inertia, b.inv_inertia, b.set_mass, b.damping,
-          b.angular_damping, b.drag, b.gravity_scale, b.density, b.friction, b.restitution, b.still_time, b.serial, b.born,
-          b.first_shape, b.last_shape);
+          b.spin, b.force, b.torque, b.acceleration, b.mass, b.inv_mass, b.inertia, b.inv_inertia, b.set_mass,
+          b.damping, b.angular_damping, b.drag, b.gravity_scale, b.density, b.friction, b.restitution, b.still_time,
+          b.serial, b.born, b.first_shape, b.last_shape);
 }
 
 template <class A, Like<Shape> V> void visit(A& ar, V& s) {
@@ -33,7 +45,8 @@ template <class A, Like<Shape> V> void visit(A& ar, V& s) {
 }
 
 template <class A, Like<ManifoldPoint> V> void visit(A& ar, V& p) {
-    visit(ar, p.anchor_a, p.anchor_b, p.separation, p.normal_impulse, p.tangent_impulse, p.total_impulse, p.closing_speed, p.id);
+    visit(ar, p.anchor_a, p.anchor_b, p.separation, p.normal_impulse, p.tangent_impulse, p.total_impulse,
+          p.closing_speed, p.id);
 }
 
 template <class A, Like<Contact> V> void visit(A& ar, V& c) {
@@ -42,8 +55,8 @@ template <class A, Like<Contact> V> void visit(A& ar, V& c) {
 }
 
 template <class A, Like<Touch> V> void visit(A& ar, V& t) { // references by slot; generations are a process's own
-    visit(ar, t.a.slot, t.b.slot, t.shape_a.slot, t.shape_b.slot, t.order[0], t.order[1], t.order[2], t.order[3], t.gone,
-          t.point, t.normal, t.depth, t.impulse, t.speed);
+    visit(ar, t.a.slot, t.b.slot, t.shape_a.slot, t.shape_b.slot, t.order[0], t.order[1], t.order[2], t.order[3],
+          t.gone, t.point, t.normal, t.depth, t.impulse, t.speed);
 }
 
 template <class A, Like<Force> V> void visit(A& ar, V& f) {
@@ -95,18 +108,6 @@ void read_table(Reader& ar, std::vector<bool>& taken, auto&& grow, auto&& read_r
     }
 }
 
-struct State { // what restore reads before it touches the world
-    Vec2 gravity;
-    bool sleep_allowed = true;
-    std::uint64_t steps = 0;
-    double time = 0.0;
-    Bodies bodies;
-    Shapes shapes;
-    Contacts contacts;
-    Forces forces;
-    std::vector<bool> body_taken, shape_taken, piece_taken, force_taken;
-};
-
 void write_payload(Writer& ar, const World& w) {
     visit(ar, w.gravity, w.sleep_allowed, w.steps, w.time);
     visit(ar, w.bodies.next_serial, w.shapes.next_serial, w.forces.next_serial);
@@ -130,7 +131,7 @@ void write_payload(Writer& ar, const World& w) {
     visit(ar, w.contacts.touches);
 }
 
-void read_payload(Reader& ar, State& s) {
+void read_payload(Reader& ar, SavedState& s) {
     visit(ar, s.gravity, s.sleep_allowed, s.steps, s.time);
     visit(ar, s.bodies.next_serial, s.shapes.next_serial, s.forces.next_serial);
     read_table(
@@ -165,7 +166,7 @@ void read_payload(Reader& ar, State& s) {
 
 bool taken(const std::vector<bool>& list, std::uint32_t slot) { return slot < list.size() && list[slot]; }
 
-bool bodies_hold_together(const State& s) {
+bool bodies_hold_together(const SavedState& s) {
     for (std::uint32_t i = 0; i < s.body_taken.size(); ++i) {
         if (!s.body_taken[i]) continue;
         const Body& b = s.bodies.rows[i];
@@ -174,7 +175,8 @@ bool bodies_hold_together(const State& s) {
         std::size_t steps = 0;
         std::uint32_t last = kNone;
         for (std::uint32_t shape = b.first_shape; shape != kNone; shape = s.shapes.rows[shape].next) {
-            if (!taken(s.shape_taken, shape) || s.shapes.rows[shape].body != i || ++steps > s.shape_taken.size()) return false;
+            if (!taken(s.shape_taken, shape) || s.shapes.rows[shape].body != i || ++steps > s.shape_taken.size())
+                return false;
             last = shape;
         }
         if (last != b.last_shape) return false;
@@ -182,7 +184,7 @@ bool bodies_hold_together(const State& s) {
     return true;
 }
 
-bool polygon_holds_together(const State& s, std::uint32_t i) {
+bool polygon_holds_together(const SavedState& s, std::uint32_t i) {
     if (s.shapes.corners[i].size() < 3 || s.shapes.parts[i].empty()) return false;
     for (const Part& part : s.shapes.parts[i]) {
         if (part.size() < 3) return false;
@@ -192,7 +194,7 @@ bool polygon_holds_together(const State& s, std::uint32_t i) {
     return true;
 }
 
-bool shapes_hold_together(const State& s) {
+bool shapes_hold_together(const SavedState& s) {
     std::size_t pieces = 0;
     for (std::uint32_t i = 0; i < s.shape_taken.size(); ++i) {
         if (!s.shape_taken[i]) continue;
@@ -209,7 +211,7 @@ bool shapes_hold_together(const State& s) {
     return pieces == static_cast<std::size_t>(std::ranges::count(s.piece_taken, true));
 }
 
-bool forces_hold_together(const State& s) {
+bool forces_hold_together(const SavedState& s) {
     for (std::uint32_t i = 0; i < s.force_taken.size(); ++i) {
         if (!s.force_taken[i]) continue;
         const Force& f = s.forces.rows[i];
@@ -221,25 +223,27 @@ bool forces_hold_together(const State& s) {
     return true;
 }
 
-bool contacts_hold_together(const State& s) {
+bool contacts_hold_together(const SavedState& s) {
     for (std::size_t i = 0; i < s.contacts.rows.size(); ++i) {
         const Contact& c = s.contacts.rows[i];
-        bool rising = i == 0 || Pair{s.contacts.rows[i - 1].piece_a, s.contacts.rows[i - 1].piece_b} < Pair{c.piece_a, c.piece_b};
-        if (!rising || c.count > 2 || !taken(s.piece_taken, c.piece_a) || !taken(s.piece_taken, c.piece_b)) return false;
+        bool rising =
+            i == 0 || Pair{s.contacts.rows[i - 1].piece_a, s.contacts.rows[i - 1].piece_b} < Pair{c.piece_a, c.piece_b};
+        if (!rising || c.count > 2 || !taken(s.piece_taken, c.piece_a) || !taken(s.piece_taken, c.piece_b))
+            return false;
         const Piece &p = s.shapes.pieces[c.piece_a], &q = s.shapes.pieces[c.piece_b];
         if (c.shape_a != p.shape || c.shape_b != q.shape) return false;
         if (c.body_a != s.shapes.rows[p.shape].body || c.body_b != s.shapes.rows[q.shape].body) return false;
     }
     for (const Touch& t : s.contacts.touches) {
-        bool there = taken(s.body_taken, t.a.slot) && taken(s.body_taken, t.b.slot) && taken(s.shape_taken, t.shape_a.slot) &&
-                     taken(s.shape_taken, t.shape_b.slot);
+        bool there = taken(s.body_taken, t.a.slot) && taken(s.body_taken, t.b.slot) &&
+                     taken(s.shape_taken, t.shape_a.slot) && taken(s.shape_taken, t.shape_b.slot);
         if (!t.gone && !there) return false;
     }
     return true;
 }
 
 // What was not written: pieces' bodies, ranges and baked geometry.
-void rebuild_pieces(State& s) {
+void rebuild_pieces(SavedState& s) {
     for (std::uint32_t shape = 0; shape < s.shape_taken.size(); ++shape) {
         if (!s.shape_taken[shape]) continue;
         const Shape& row = s.shapes.rows[shape];
@@ -248,7 +252,8 @@ void rebuild_pieces(State& s) {
             Piece& piece = s.shapes.pieces[p];
             piece.body = row.body;
             piece.first = static_cast<std::uint32_t>(s.shapes.points.size());
-            piece.count = row.kind == ShapeKind::polygon ? static_cast<std::uint32_t>(s.shapes.parts[shape][part].size()) : 0;
+            piece.count =
+                row.kind == ShapeKind::polygon ? static_cast<std::uint32_t>(s.shapes.parts[shape][part].size()) : 0;
             s.shapes.points.resize(s.shapes.points.size() + piece.count);
             s.shapes.normals.resize(s.shapes.points.size());
             s.shapes.live_points += piece.count;
@@ -272,14 +277,19 @@ template <class Tag> Ref<Tag> current(const Slots& slots, Ref<Tag> ref, bool ali
     return {ref.slot, alive ? slots.generation(ref.slot) : 0};
 }
 
-void take_over(World& w, State& s) {
+} // namespace
+
+void restore(World& w, SavedState& s) {
     auto restore_slots = [](Slots& slots, const std::vector<bool>& now, const std::vector<bool>& same, Slots& out) {
         out = slots;
         out.restore(now, same);
     };
-    restore_slots(w.bodies.slots, s.body_taken, same_objects(w.bodies.slots, w.bodies.rows, s.bodies.rows), s.bodies.slots);
-    restore_slots(w.shapes.slots, s.shape_taken, same_objects(w.shapes.slots, w.shapes.rows, s.shapes.rows), s.shapes.slots);
-    restore_slots(w.forces.slots, s.force_taken, same_objects(w.forces.slots, w.forces.rows, s.forces.rows), s.forces.slots);
+    restore_slots(w.bodies.slots, s.body_taken, same_objects(w.bodies.slots, w.bodies.rows, s.bodies.rows),
+                  s.bodies.slots);
+    restore_slots(w.shapes.slots, s.shape_taken, same_objects(w.shapes.slots, w.shapes.rows, s.shapes.rows),
+                  s.shapes.slots);
+    restore_slots(w.forces.slots, s.force_taken, same_objects(w.forces.slots, w.forces.rows, s.forces.rows),
+                  s.forces.slots);
     restore_slots(w.shapes.piece_slots, s.piece_taken, {}, s.shapes.piece_slots);
     s.bodies.rows.resize(s.bodies.slots.size());
     s.bodies.tags.resize(s.bodies.slots.size());
@@ -316,11 +326,15 @@ void take_over(World& w, State& s) {
     w.previous = w.present;
 }
 
+namespace {
+
 // 64 bits over 8 bytes at a time: multiply, rotate, and a last avalanche (as in Appleby's MurmurHash3 finaliser).
 std::uint64_t hash(std::span<const std::uint8_t> bytes) {
     std::uint64_t h = 0x9e3779b97f4a7c15ull ^ bytes.size();
     std::size_t i = 0;
-    auto mix = [&](std::uint64_t word) { h = std::rotl(h ^ (word * 0xff51afd7ed558ccdull), 29) * 0xc4ceb9fe1a85ec53ull; };
+    auto mix = [&](std::uint64_t word) {
+        h = std::rotl(h ^ (word * 0xff51afd7ed558ccdull), 29) * 0xc4ceb9fe1a85ec53ull;
+    };
     for (; i + 8 <= bytes.size(); i += 8) {
         std::uint64_t word = 0;
         std::memcpy(&word, bytes.data() + i, 8);
@@ -354,31 +368,39 @@ std::vector<std::uint8_t> snapshot(const World& world) {
     return std::move(out.bytes);
 }
 
-SnapshotProblem restore(World& world, std::span<const std::uint8_t> bytes) {
+ReadSnapshot read_snapshot(std::span<const std::uint8_t> bytes) {
     constexpr std::size_t kHead = sizeof(kMagic) + 4 + 8, kTail = 8;
     std::size_t known = std::min(bytes.size(), sizeof(kMagic));
-    if (std::memcmp(bytes.data(), kMagic, known) != 0 || known == 0) return SnapshotProblem::not_a_snapshot;
-    if (bytes.size() < kHead + kTail) return SnapshotProblem::cut_short;
+    if (known == 0 || std::memcmp(bytes.data(), kMagic, known) != 0) return {nullptr, SnapshotProblem::not_a_snapshot};
+    if (bytes.size() < kHead + kTail) return {nullptr, SnapshotProblem::cut_short};
     Reader head(bytes.subspan(sizeof(kMagic), 12));
     std::uint32_t version = 0;
     std::uint64_t length = 0, written = 0;
     head.value(version);
     head.value(length);
-    if (version != kSnapshotVersion) return SnapshotProblem::other_version;
-    if (length != bytes.size() - kHead - kTail) return length > bytes.size() ? SnapshotProblem::cut_short : SnapshotProblem::damaged;
+    if (version != kSnapshotVersion) return {nullptr, SnapshotProblem::other_version};
+    std::uint64_t there = bytes.size() - kHead - kTail;
+    if (length != there) return {nullptr, length > there ? SnapshotProblem::cut_short : SnapshotProblem::damaged};
     std::span<const std::uint8_t> payload = bytes.subspan(kHead, length);
     Reader(bytes.last(kTail)).value(written);
-    if (hash(payload) != written) return SnapshotProblem::damaged;
+    if (hash(payload) != written) return {nullptr, SnapshotProblem::damaged};
 
-    auto state = std::make_unique<State>();
+    auto state = std::make_shared<SavedState>();
     Reader ar(payload);
     read_payload(ar, *state);
-    bool whole = ar.ok && shapes_hold_together(*state) && bodies_hold_together(*state) && forces_hold_together(*state) &&
-                 contacts_hold_together(*state);
-    if (!whole) return SnapshotProblem::inconsistent;
+    bool whole = ar.ok && shapes_hold_together(*state) && bodies_hold_together(*state) &&
+                 forces_hold_together(*state) && contacts_hold_together(*state);
+    if (!whole) return {nullptr, SnapshotProblem::inconsistent};
     rebuild_pieces(*state);
-    take_over(world, *state);
-    return SnapshotProblem::none;
+    return {state, SnapshotProblem::none};
+}
+
+std::vector<std::string> notes_of(const SavedState& saved) {
+    std::vector<std::string> notes;
+    for (std::uint32_t i = 0; i < saved.force_taken.size(); ++i)
+        if (saved.force_taken[i] && saved.forces.rows[i].kind == ForceKind::python)
+            notes.push_back(saved.forces.rows[i].note);
+    return notes;
 }
 
 } // namespace evil

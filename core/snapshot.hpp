@@ -15,8 +15,17 @@ std::uint64_t checksum(const World& world);
 
 enum class SnapshotProblem { none, not_a_snapshot, other_version, cut_short, damaged, inconsistent };
 
-// All or nothing: with a problem the world is as it was. Objects that are the same before and after keep their
-// references; every other reference becomes stale.
-[[nodiscard]] SnapshotProblem restore(World& world, std::span<const std::uint8_t> bytes);
+// Restoring has two halves, so that whoever keeps more than the core can refuse before anything has changed.
+struct SavedState;
+struct ReadSnapshot {
+    std::shared_ptr<SavedState> state; // null with a problem
+    SnapshotProblem problem = SnapshotProblem::none;
+};
+ReadSnapshot read_snapshot(std::span<const std::uint8_t> bytes);
+std::vector<std::string> notes_of(const SavedState& saved); // of the forces written in Python
+
+// Become what was saved; `saved` is used up. Objects that are the same before and after keep their references; every
+// other reference becomes stale.
+void restore(World& world, SavedState& saved);
 
 } // namespace evil

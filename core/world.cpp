@@ -6,7 +6,7 @@ void World::step(float dt, int substeps) {
     previous = present;
     find_pairs(broad, shapes, bodies, dt, contacts.scratch.pairs); // approximate: whose bounds meet
     match_pairs(contacts, shapes);
-    update_manifolds(contacts, shapes, bodies, dt);                // exact: SAT, contact points
+    update_manifolds(contacts, shapes, bodies, dt); // exact: SAT, contact points
     wake_islands(solver, bodies, contacts, forces);
     solve(solver, bodies, contacts, forces, gravity, {dt, substeps});
     sleep_islands(solver, bodies, shapes, dt, sleep_allowed);

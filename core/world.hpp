@@ -11,7 +11,7 @@
 
 namespace evil {
 
-inline constexpr float kMaxStep = 1.0f;   // seconds; a longer step is a mistake in units
+inline constexpr float kMaxStep = 1.0f; // seconds; a longer step is a mistake in units
 inline constexpr int kMaxSubsteps = 256;
 
 // Slot-indexed arrays for readers outside: refreshed after each step. Growing makes a new one, and whoever looks at the

@@ -78,7 +78,8 @@ MatrixProblem problem_with(const World& world, std::uint32_t shape, const Affine
     changed.local = local;
     Affine m = definition_to_body(changed, scale);
     float size = std::max(length({m.a, m.b}), length({m.c, m.d}));
-    if (!std::isfinite(size) || size > kMaxScale || !(length({m.tx, m.ty}) <= kWorldEdge)) return MatrixProblem::too_large;
+    if (!std::isfinite(size) || size > kMaxScale || !(length({m.tx, m.ty}) <= kWorldEdge))
+        return MatrixProblem::too_large;
     if (!(std::abs(determinant(m)) > kMinScale * size * size) || size < kMinScale) return MatrixProblem::flat;
     if (changed.kind == ShapeKind::circle && !is_similarity(m)) return MatrixProblem::squeezes_circle;
     return MatrixProblem::none;
@@ -309,7 +310,9 @@ MatrixProblem apply_to_body(World& world, std::uint32_t body, const Affine& m) {
     // A turn smaller than float32 can tell is none: translations keep the angle's bits.
     double angle = std::abs(turned) < 1e-6 ? b.angle : b.angle + turned;
     Vec2 scale{sx, second.y};
-    auto settle = [](float now, float before) { return std::abs(now - before) <= 1e-6f * std::abs(before) ? before : now; };
+    auto settle = [](float now, float before) {
+        return std::abs(now - before) <= 1e-6f * std::abs(before) ? before : now;
+    };
     MatrixProblem problem = set_scale(world, body, {settle(scale.x, b.scale.x), settle(scale.y, b.scale.y)});
     if (problem == MatrixProblem::none) move_body(world, body, {product.tx, product.ty}, angle);
     return problem;

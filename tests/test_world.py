@@ -210,7 +210,9 @@ def test_a_stale_reference_says_what_it_was(world):
     ball = world.add(evil.Circle(0.5), tag="crate")
     run(world, 0.5)
     ball.destroy()
-    with pytest.raises(evil.StaleReferenceError, match=r'this Body \(tag "crate", added at step 0\) was destroyed at step 30'):
+    with pytest.raises(
+        evil.StaleReferenceError, match=r'this Body \(tag "crate", added at step 0\) was destroyed at step 30'
+    ):
         ball.position  # noqa: B018
     with pytest.raises(evil.StaleReferenceError):
         ball.destroy()

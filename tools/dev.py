@@ -76,7 +76,7 @@ def build() -> None:
 
 
 def write_stubs(file: Path) -> None:
-    run(sys.executable, "-m", "nanobind.stubgen", "-q", "-m", "evilengine._core", "-o", file)
+    run(sys.executable, "-m", "nanobind.stubgen", "-q", "-P", "-m", "evilengine._core", "-o", file)
 
 
 def check_stubs() -> None:

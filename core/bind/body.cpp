@@ -6,7 +6,7 @@ namespace {
 constexpr const char* kOwner = "Body";
 
 // A float field of the row that any number in a range may be written to; writing wakes the body.
-template <float Body::*Field>
+template <float Body::* Field>
 void bind_float(nb::class_<BodyHandle>& c, const char* name, float least, float most, const char* doc) {
     c.def_prop_rw(
         name, [](const BodyHandle& h) { return row(h).*Field; },
@@ -19,7 +19,7 @@ void bind_float(nb::class_<BodyHandle>& c, const char* name, float least, float 
 }
 
 // A material value of all the body's shapes at once, and of those to come.
-template <float Body::*Field, float Material::*Each>
+template <float Body::* Field, float Material::* Each>
 void bind_material(nb::class_<BodyHandle>& c, const char* name, float most, const char* doc) {
     c.def_prop_rw(
         name, [](const BodyHandle& h) { return row(h).*Field; },
@@ -27,7 +27,8 @@ void bind_material(nb::class_<BodyHandle>& c, const char* name, float most, cons
             Body& b = row(h);
             b.*Field = in_range(value, kOwner, name, 0.0f, most);
             Shapes& shapes = h.world->shapes;
-            for (std::uint32_t s = b.first_shape; s != kNone; s = shapes.rows[s].next) shapes.rows[s].material.*Each = b.*Field;
+            for (std::uint32_t s = b.first_shape; s != kNone; s = shapes.rows[s].next)
+                shapes.rows[s].material.*Each = b.*Field;
             wake(*h.world, h.ref.slot);
         },
         doc);
@@ -36,7 +37,8 @@ void bind_material(nb::class_<BodyHandle>& c, const char* name, float most, cons
 void set_position(const BodyHandle& h, nb::handle value) {
     double angle = row(h).angle;
     Vec2 p = to_vec2(value, kOwner, "position");
-    if (!(length(p) <= kWorldEdge)) raise(ErrorKind::argument, "Body: position must be within 1e7 metres of the origin");
+    if (!(length(p) <= kWorldEdge))
+        raise(ErrorKind::argument, "Body: position must be within 1e7 metres of the origin");
     move_body(*h.world, h.ref.slot, p, angle);
 }
 
@@ -48,7 +50,8 @@ void set_angle(const BodyHandle& h, nb::handle value) {
 
 void require_moving(const BodyHandle& h, const char* what) {
     if (row(h).kind == BodyKind::fixed)
-        raise(ErrorKind::argument, std::string("Body: ") + what + " of a static body cannot change; make it kinematic or dynamic");
+        raise(ErrorKind::argument,
+              std::string("Body: ") + what + " of a static body cannot change; make it kinematic or dynamic");
 }
 
 void set_velocity(const BodyHandle& h, nb::handle value) {
@@ -122,15 +125,15 @@ std::vector<std::uint32_t> shape_slots(const BodyHandle& h) {
 void bind_motion(nb::class_<BodyHandle>& c) {
     c.def_prop_rw(
         "position", [](const BodyHandle& h) { return from_vec2(row(h).pose.p); }, set_position,
-        "Where the body's origin is, the point that its shapes are placed by (metres). Writing it moves the body at once.");
+        "Where the body's origin is, the point that its shapes are placed by (metres). Writing it moves the body at "
+        "once.");
     c.def_prop_rw(
         "angle", [](const BodyHandle& h) { return row(h).angle; }, set_angle,
         "Radians, counter-clockwise; it is not wrapped, so two turns are 4 pi.");
     c.def_prop_rw(
         "velocity", [](const BodyHandle& h) { return from_vec2(row(h).velocity); }, set_velocity,
         "Of the centre of mass, metres a second.");
-    c.def_prop_rw(
-        "angular_velocity", [](const BodyHandle& h) { return row(h).spin; }, set_spin, "Radians a second.");
+    c.def_prop_rw("angular_velocity", [](const BodyHandle& h) { return row(h).spin; }, set_spin, "Radians a second.");
     c.def_prop_ro(
         "centre", [](const BodyHandle& h) { return from_vec2(row(h).centre); }, "The centre of mass, in the world.");
     c.def(
@@ -159,15 +162,18 @@ void bind_motion(nb::class_<BodyHandle>& c) {
 
 void bind_pushes(nb::class_<BodyHandle>& c) {
     c.def("apply_force", apply_force, nb::arg("force"), nb::arg("at").none() = nb::none(),
-          "Push with `force` (newtons) during the next step, at a point of the world; at the centre of mass without one.");
+          "Push with `force` (newtons) during the next step, at a point of the world; at the centre of mass without "
+          "one.");
     c.def("apply_impulse", apply_impulse, nb::arg("impulse"), nb::arg("at").none() = nb::none(),
           "Change the velocity at once by an impulse (newton seconds), at a point of the world or the centre of mass.");
     c.def("apply_torque", apply_torque, nb::arg("torque"), "Turn with `torque` (newton metres) during the next step.");
     c.def("apply_angular_impulse", apply_angular_impulse, nb::arg("impulse"), "Change the spin at once (kg m2/s).");
     c.def_prop_ro(
-        "force", [](const BodyHandle& h) { return from_vec2(row(h).force); }, "Gathered by apply_force since the last step.");
+        "force", [](const BodyHandle& h) { return from_vec2(row(h).force); },
+        "Gathered by apply_force since the last step.");
     c.def_prop_ro(
-        "torque", [](const BodyHandle& h) { return row(h).torque; }, "Gathered by apply_force and apply_torque since the last step.");
+        "torque", [](const BodyHandle& h) { return row(h).torque; },
+        "Gathered by apply_force and apply_torque since the last step.");
 }
 
 void bind_mass(nb::class_<BodyHandle>& c) {
@@ -178,14 +184,20 @@ void bind_mass(nb::class_<BodyHandle>& c) {
     c.def_prop_ro(
         "inertia", [fixed](const BodyHandle& h) { return fixed(row(h)) ? HUGE_VAL : double(row(h).inertia); },
         "About the centre of mass, kg m2; infinite for a static or kinematic body.");
-    c.def_prop_ro("inverse_mass", [](const BodyHandle& h) { return row(h).inv_mass; }, "1 / mass; 0: nothing moves it.");
-    c.def_prop_ro("inverse_inertia", [](const BodyHandle& h) { return row(h).inv_inertia; }, "1 / inertia; 0: nothing turns it.");
+    c.def_prop_ro(
+        "inverse_mass", [](const BodyHandle& h) { return row(h).inv_mass; }, "1 / mass; 0: nothing moves it.");
+    c.def_prop_ro(
+        "inverse_inertia", [](const BodyHandle& h) { return row(h).inv_inertia; }, "1 / inertia; 0: nothing turns it.");
     bind_float<&Body::damping>(c, "damping", 0.0f, 1.0f, "Fraction of velocity kept per second; 1: none is lost.");
-    bind_float<&Body::angular_damping>(c, "angular_damping", 0.0f, 1.0f, "Fraction of spin kept per second; 1: none is lost.");
-    bind_float<&Body::drag>(c, "drag", 0.0f, 1e6f, "How strongly drag and media act on it; 1 as they are, 0 not at all.");
+    bind_float<&Body::angular_damping>(c, "angular_damping", 0.0f, 1.0f,
+                                       "Fraction of spin kept per second; 1: none is lost.");
+    bind_float<&Body::drag>(c, "drag", 0.0f, 1e6f,
+                            "How strongly drag and media act on it; 1 as they are, 0 not at all.");
     bind_float<&Body::gravity_scale>(c, "gravity_scale", -1e6f, 1e6f, "How strongly the world's gravity acts on it.");
-    bind_material<&Body::friction, &Material::friction>(c, "friction", 1e6f, "Of all its shapes; pairs mix as sqrt(a b).");
-    bind_material<&Body::restitution, &Material::restitution>(c, "restitution", 1.0f, "Of all its shapes; pairs take the larger.");
+    bind_material<&Body::friction, &Material::friction>(c, "friction", 1e6f,
+                                                        "Of all its shapes; pairs mix as sqrt(a b).");
+    bind_material<&Body::restitution, &Material::restitution>(c, "restitution", 1.0f,
+                                                              "Of all its shapes; pairs take the larger.");
 }
 
 void bind_state(nb::class_<BodyHandle>& c) {
@@ -196,11 +208,11 @@ void bind_state(nb::class_<BodyHandle>& c) {
             set_kind(*h.world, h.ref.slot, static_cast<BodyKind>(kind));
         });
     c.def_prop_rw(
-        "bullet", [](const BodyHandle& h) { return row(h).bullet; }, [](const BodyHandle& h, bool on) { row(h).bullet = on; },
-        "Marked as fast and thin, for continuous collision.");
+        "bullet", [](const BodyHandle& h) { return row(h).bullet; },
+        [](const BodyHandle& h, bool on) { row(h).bullet = on; }, "Marked as fast and thin, for continuous collision.");
     c.def_prop_rw(
-        "touchable", [](const BodyHandle& h) { return row(h).touchable; }, [](const BodyHandle& h, bool on) { row(h).touchable = on; },
-        "Fingers and the mouse can hold it.");
+        "touchable", [](const BodyHandle& h) { return row(h).touchable; },
+        [](const BodyHandle& h, bool on) { row(h).touchable = on; }, "Fingers and the mouse can hold it.");
     c.def_prop_rw(
         "awake", [](const BodyHandle& h) { return row(h).awake; },
         [](const BodyHandle& h, bool on) {

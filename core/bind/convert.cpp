@@ -34,7 +34,8 @@ bool to_double(nb::handle value, double& out) {
 
 void load_python_types() {
     nb::object errors = nb::module_::import_("evilengine.values.errors");
-    for (std::size_t i = 0; i < std::size(kErrorNames); ++i) error_types[i] = nb::object(errors.attr(kErrorNames[i])).release().ptr();
+    for (std::size_t i = 0; i < std::size(kErrorNames); ++i)
+        error_types[i] = nb::object(errors.attr(kErrorNames[i])).release().ptr();
     nb::object vec2 = nb::module_::import_("evilengine.values.vec2").attr("Vec2");
     vec2_type = reinterpret_cast<PyTypeObject*>(vec2.release().ptr());
 }
@@ -47,7 +48,8 @@ void raise(ErrorKind kind, const std::string& message) {
 float to_float(nb::handle value, const char* owner, const char* argument) {
     double number = 0.0;
     if (!to_double(value, number))
-        raise(ErrorKind::argument_type, std::string(owner) + ": " + argument + "=" + text_of(value) + " must be a number");
+        raise(ErrorKind::argument_type,
+              std::string(owner) + ": " + argument + "=" + text_of(value) + " must be a number");
     float result = static_cast<float>(number);
     if (!std::isfinite(result)) raise_not_finite(value, owner, argument);
     return result;
@@ -58,7 +60,8 @@ Vec2 to_vec2(nb::handle value, const char* owner, const char* argument) {
     bool ok = false;
     PyObject* pair = value.ptr();
     if (PyTuple_Check(pair)) {
-        ok = PyTuple_Size(pair) == 2 && to_double(PyTuple_GetItem(pair, 0), x) && to_double(PyTuple_GetItem(pair, 1), y);
+        ok =
+            PyTuple_Size(pair) == 2 && to_double(PyTuple_GetItem(pair, 0), x) && to_double(PyTuple_GetItem(pair, 1), y);
     } else if (PySequence_Check(pair) && !PyUnicode_Check(pair) && PySequence_Size(pair) == 2) {
         nb::object first = nb::steal(PySequence_GetItem(pair, 0)), second = nb::steal(PySequence_GetItem(pair, 1));
         ok = first.is_valid() && second.is_valid() && to_double(first, x) && to_double(second, y);
@@ -72,14 +75,14 @@ Vec2 to_vec2(nb::handle value, const char* owner, const char* argument) {
     return result;
 }
 
-nb::object from_vec2(Vec2 value) {
+PyVec2 from_vec2(Vec2 value) {
     // Vec2 is a tuple subclass without a dictionary: allocate it as one and fill the two places.
     allocfunc allocate = reinterpret_cast<allocfunc>(PyType_GetSlot(vec2_type, Py_tp_alloc));
     PyObject* pair = allocate(vec2_type, 2);
     if (!pair) throw nb::python_error();
     PyTuple_SetItem(pair, 0, PyFloat_FromDouble(value.x));
     PyTuple_SetItem(pair, 1, PyFloat_FromDouble(value.y));
-    return nb::steal(pair);
+    return nb::steal<PyVec2>(pair);
 }
 
 } // namespace evil::bind

@@ -19,6 +19,10 @@ Vec2 to_vec2(nb::handle value, const char* owner, const char* argument);
 // A finite float that fits in 32 bits.
 float to_float(nb::handle value, const char* owner, const char* argument);
 
-nb::object from_vec2(Vec2 value); // evilengine.values.vec2.Vec2
+// A Python Vec2; the type's name is for the stubs.
+struct PyVec2 : nb::object {
+    NB_OBJECT(PyVec2, nb::object, "evilengine.values.vec2.Vec2", PyTuple_Check)
+};
+PyVec2 from_vec2(Vec2 value);
 
 } // namespace evil::bind

@@ -12,7 +12,7 @@ void wake_all_of(const ForceHandle& h) {
         if (h.world->bodies.slots.taken(b)) wake(*h.world, b);
 }
 
-template <float Force::*Field> void bind_float(nb::class_<ForceHandle>& c, const char* name) {
+template <float Force::* Field> void bind_float(nb::class_<ForceHandle>& c, const char* name) {
     c.def_prop_rw(
         name, [](const ForceHandle& h) { return row(h).*Field; },
         [](const ForceHandle& h, float value) { // checked by the face, which knows the kind's own words
@@ -21,7 +21,7 @@ template <float Force::*Field> void bind_float(nb::class_<ForceHandle>& c, const
         });
 }
 
-template <Vec2 Force::*Field> void bind_vec2(nb::class_<ForceHandle>& c, const char* name) {
+template <Vec2 Force::* Field> void bind_vec2(nb::class_<ForceHandle>& c, const char* name) {
     c.def_prop_rw(
         name, [](const ForceHandle& h) { return from_vec2(row(h).*Field); },
         [name](const ForceHandle& h, nb::handle value) {
@@ -53,7 +53,8 @@ void register_force(nb::module_& module) {
     bind_float<&Force::quadratic>(c, "quadratic");
     bind_float<&Force::limit>(c, "limit");
     c.def_prop_rw(
-        "note", [](const ForceHandle& h) { return row(h).note; }, [](const ForceHandle& h, const std::string& note) { row(h).note = note; });
+        "note", [](const ForceHandle& h) { return row(h).note; },
+        [](const ForceHandle& h, const std::string& note) { row(h).note = note; });
     c.def_prop_ro("at_anchor", [](const ForceHandle& h) { return row(h).at_anchor; });
     c.def_prop_ro("everywhere", [](const ForceHandle& h) { return row(h).everywhere; });
     c.def_prop_ro("kind", [](const ForceHandle& h) { return static_cast<int>(row(h).kind); });

@@ -35,7 +35,8 @@ template <class H> [[noreturn]] void raise_stale(const H& h) {
     std::string text = "this " + word + " (";
     if (!h.tag.empty()) text += "tag \"" + h.tag + "\", ";
     text += "added at step " + std::to_string(h.born) + ") ";
-    text += h.buried ? "was destroyed at step " + std::to_string(h.died) : "is gone: the world was restored to a snapshot without it";
+    text += h.buried ? "was destroyed at step " + std::to_string(h.died)
+                     : "is gone: the world was restored to a snapshot without it";
     raise(ErrorKind::stale_reference, text + "; keep no reference past destroy(), or ask " + lower + ".alive first");
 }
 
@@ -70,20 +71,24 @@ inline float in_range(nb::handle value, const char* owner, const char* argument,
 [[noreturn]] void raise_mass(MassProblem problem, const char* owner);
 [[noreturn]] void raise_matrix(MatrixProblem problem, const char* owner);
 Affine to_affine(nb::handle matrix, const char* owner); // from 16 floats, column-major, that move only x and y
-nb::tuple from_affine(const Affine& m);                 // the same 16 floats
+using Floats = nb::typed<nb::tuple, float, nb::ellipsis>;
+using Anything = nb::typed<nb::tuple, nb::any, nb::ellipsis>;
+Floats from_affine(const Affine& m); // the same 16 floats
 
 // The handle's own words: equality, hash, alive, and the slot and generation that make it what it is.
 template <class H> void bind_identity(nb::class_<H>& c) {
     c.def_prop_ro("alive", [](const H& h) { return alive(h); }, "False once it was destroyed, or restored away.");
     c.def_prop_ro("slot", [](const H& h) { return h.ref.slot; }, "Row of this object in the world's arrays.");
-    c.def_prop_ro("generation", [](const H& h) { return h.ref.generation; }, "How often that row has been taken and freed.");
+    c.def_prop_ro(
+        "generation", [](const H& h) { return h.ref.generation; }, "How often that row has been taken and freed.");
     c.def("__eq__", [](const H& h, nb::handle other) {
         const H* o = nullptr;
         return nb::try_cast<const H*>(other, o) && o && o->world == h.world && o->ref == h.ref;
     });
     c.def("__hash__", [](const H& h) {
         auto where = reinterpret_cast<std::uintptr_t>(h.world.get());
-        return static_cast<Py_hash_t>((std::uint64_t{h.ref.slot} << 32 ^ h.ref.generation ^ (where >> 4)) & 0x3fffffffffffffffu);
+        return static_cast<Py_hash_t>((std::uint64_t{h.ref.slot} << 32 ^ h.ref.generation ^ (where >> 4)) &
+                                      0x3fffffffffffffffu);
     });
     c.def("_bury", [](H& h, std::uint64_t step) { h.died = step, h.buried = true; });
 }

@@ -14,18 +14,21 @@ Affine placed_at(nb::handle offset, double angle, const char* owner) {
 Affine rows_of(const ShapeHandle& h) { return definition_to_body(row(h), h.world->bodies.rows[row(h).body].scale); }
 
 // In the body's frame: ("circle", centre, radius), ("polygon", corners) or ("particle", centre).
-nb::tuple outline(const ShapeHandle& h) {
+Anything outline(const ShapeHandle& h) {
     const Shape& shape = row(h);
     Affine m = rows_of(h);
     if (shape.kind == ShapeKind::circle)
-        return nb::make_tuple("circle", from_vec2({m.tx, m.ty}), shape.radius * length({m.a, m.b}));
-    if (shape.kind == ShapeKind::particle) return nb::make_tuple("particle", from_vec2({m.tx, m.ty}));
+        return nb::borrow<Anything>(
+            nb::make_tuple("circle", from_vec2({m.tx, m.ty}), shape.radius * length({m.a, m.b})));
+    if (shape.kind == ShapeKind::particle)
+        return nb::borrow<Anything>(nb::make_tuple("particle", from_vec2({m.tx, m.ty})));
     nb::list corners;
     for (Vec2 p : h.world->shapes.corners[h.ref.slot]) corners.append(from_vec2(apply(m, p)));
-    return nb::make_tuple("polygon", nb::tuple(corners));
+    return nb::borrow<Anything>(nb::make_tuple("polygon", nb::tuple(corners)));
 }
 
-template <float Material::*Field> void bind_material(nb::class_<ShapeHandle>& c, const char* name, float most, const char* doc) {
+template <float Material::* Field>
+void bind_material(nb::class_<ShapeHandle>& c, const char* name, float most, const char* doc) {
     c.def_prop_rw(
         name, [](const ShapeHandle& h) { return row(h).material.*Field; },
         [name, most](const ShapeHandle& h, nb::handle value) {
@@ -37,7 +40,8 @@ template <float Material::*Field> void bind_material(nb::class_<ShapeHandle>& c,
 }
 
 void bind_definition(nb::module_& module) {
-    nb::class_<NewShape> c(module, "ShapeSpec", "A shape as the core takes it: checked, counter-clockwise, split into convex parts.");
+    nb::class_<NewShape> c(module, "ShapeSpec",
+                           "A shape as the core takes it: checked, counter-clockwise, split into convex parts.");
     c.def_static("circle", [](float radius) {
         NewShape s;
         s.shape.kind = ShapeKind::circle;
@@ -62,7 +66,7 @@ void bind_definition(nb::module_& module) {
     c.def_prop_ro("corners", [](const NewShape& s) {
         nb::list corners;
         for (Vec2 p : s.corners) corners.append(from_vec2(p));
-        return nb::tuple(corners);
+        return nb::borrow<nb::typed<nb::tuple, PyVec2, nb::ellipsis>>(nb::tuple(corners));
     });
 }
 
@@ -102,7 +106,10 @@ void register_shape(nb::module_& module) {
         },
         "Relative to water, 1.0: kilograms a square metre.");
     c.def_prop_ro(
-        "mass", [](const ShapeHandle& h) { return moments(h.world->shapes, (row(h), h.ref.slot), h.world->bodies.rows[row(h).body].scale).mass; },
+        "mass",
+        [](const ShapeHandle& h) {
+            return moments(h.world->shapes, (row(h), h.ref.slot), h.world->bodies.rows[row(h).body].scale).mass;
+        },
         "Kilograms that its density and area make; the body's mass unless that was set.");
     c.def_prop_ro("_body_slot", [](const ShapeHandle& h) { return row(h).body; });
     c.def_prop_ro("outline", outline,

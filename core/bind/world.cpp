@@ -8,19 +8,32 @@ namespace evil::bind {
 NewShape used(const NewShape& spec, nb::handle offset, double angle, float density, float friction, float restitution);
 
 void raise_mass(MassProblem problem, const char* owner) {
-    const char* what = problem == MassProblem::too_small ? "less than 1e-12 kg" : "more than 1e12 kg, or turns too heavily";
-    raise(ErrorKind::shape, std::string(owner) + ": the body would weigh " + what + "; change density=, mass= or the shape's size");
+    const char* what =
+        problem == MassProblem::too_small ? "less than 1e-12 kg" : "more than 1e12 kg, or turns too heavily";
+    raise(ErrorKind::shape,
+          std::string(owner) + ": the body would weigh " + what + "; change density=, mass= or the shape's size");
 }
 
 void raise_matrix(MatrixProblem problem, const char* owner) {
     const char* what = "";
     switch (problem) {
-    case MatrixProblem::none: break;
-    case MatrixProblem::flat: what = "would make it flat (the matrix has no inverse, or shrinks below 1e-4)"; break;
-    case MatrixProblem::sheared: what = "would shear the body, whose matrix holds position, rotation and scale; apply it to its shapes"; break;
-    case MatrixProblem::squeezes_circle: what = "would squeeze a Circle, which stays round: scale x and y alike, or use a Polygon"; break;
-    case MatrixProblem::too_large: what = "would make it larger than 1e4 times or move it out of the world"; break;
-    case MatrixProblem::mass: what = "would give it a mass out of range (1e-12 to 1e12 kg)"; break;
+    case MatrixProblem::none:
+        break;
+    case MatrixProblem::flat:
+        what = "would make it flat (the matrix has no inverse, or shrinks below 1e-4)";
+        break;
+    case MatrixProblem::sheared:
+        what = "would shear the body, whose matrix holds position, rotation and scale; apply it to its shapes";
+        break;
+    case MatrixProblem::squeezes_circle:
+        what = "would squeeze a Circle, which stays round: scale x and y alike, or use a Polygon";
+        break;
+    case MatrixProblem::too_large:
+        what = "would make it larger than 1e4 times or move it out of the world";
+        break;
+    case MatrixProblem::mass:
+        what = "would give it a mass out of range (1e-12 to 1e12 kg)";
+        break;
     }
     raise(ErrorKind::shape, std::string(owner) + ": this " + what);
 }
@@ -28,19 +41,28 @@ void raise_matrix(MatrixProblem problem, const char* owner) {
 Affine to_affine(nb::handle matrix, const char* owner) {
     float v[16];
     std::size_t n = 0;
-    if (!PySequence_Check(matrix.ptr())) raise(ErrorKind::argument_type, std::string(owner) + ": matrix must be a Mat4 or 16 numbers");
+    if (!PySequence_Check(matrix.ptr()))
+        raise(ErrorKind::argument_type, std::string(owner) + ": matrix must be a Mat4 or 16 numbers");
     for (nb::handle value : nb::iter(matrix)) {
-        if (n == 16) raise(ErrorKind::argument, std::string(owner) + ": matrix must have 16 numbers, column by column; got more");
+        if (n == 16)
+            raise(ErrorKind::argument,
+                  std::string(owner) + ": matrix must have 16 numbers, column by column; got more");
         v[n++] = to_float(value, owner, "matrix");
     }
-    if (n != 16) raise(ErrorKind::argument, std::string(owner) + ": matrix must have 16 numbers, column by column; got " + std::to_string(n));
-    bool planar = v[2] == 0 && v[3] == 0 && v[6] == 0 && v[7] == 0 && v[8] == 0 && v[9] == 0 && v[11] == 0 && v[15] == 1;
-    if (!planar) raise(ErrorKind::argument, std::string(owner) + ": matrix must map the plane to itself: x and y only, last row 0 0 0 1");
+    if (n != 16)
+        raise(ErrorKind::argument,
+              std::string(owner) + ": matrix must have 16 numbers, column by column; got " + std::to_string(n));
+    bool planar =
+        v[2] == 0 && v[3] == 0 && v[6] == 0 && v[7] == 0 && v[8] == 0 && v[9] == 0 && v[11] == 0 && v[15] == 1;
+    if (!planar)
+        raise(ErrorKind::argument,
+              std::string(owner) + ": matrix must map the plane to itself: x and y only, last row 0 0 0 1");
     return {v[0], v[1], v[4], v[5], v[12], v[13]};
 }
 
-nb::tuple from_affine(const Affine& m) {
-    return nb::make_tuple(m.a, m.b, 0.0f, 0.0f, m.c, m.d, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, m.tx, m.ty, 0.0f, 1.0f);
+Floats from_affine(const Affine& m) {
+    return nb::borrow<Floats>(
+        nb::make_tuple(m.a, m.b, 0.0f, 0.0f, m.c, m.d, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, m.tx, m.ty, 0.0f, 1.0f));
 }
 
 namespace {
@@ -56,18 +78,19 @@ std::uint32_t add(World& world, const BodySpec& spec, const std::vector<NewShape
     return added.ref.slot;
 }
 
-nb::tuple from_touch(const Touch& t) {
-    return nb::make_tuple(t.a.slot, t.a.generation, t.b.slot, t.b.generation, t.shape_a.slot, t.shape_a.generation, t.shape_b.slot,
-                          t.shape_b.generation, from_vec2(t.point), from_vec2(t.normal), t.depth, t.impulse, t.speed);
+Anything from_touch(const Touch& t) {
+    return nb::borrow<Anything>(nb::make_tuple(t.a.slot, t.a.generation, t.b.slot, t.b.generation, t.shape_a.slot,
+                                               t.shape_a.generation, t.shape_b.slot, t.shape_b.generation,
+                                               from_vec2(t.point), from_vec2(t.normal), t.depth, t.impulse, t.speed));
 }
 
-nb::list from_touches(const std::vector<Touch>& touches) {
+nb::typed<nb::list, Anything> from_touches(const std::vector<Touch>& touches) {
     nb::list list;
     for (const Touch& t : touches) list.append(from_touch(t));
-    return list;
+    return nb::borrow<nb::typed<nb::list, Anything>>(list);
 }
 
-View view_of(const World& w, std::vector<float> Arrays::*values, Py_ssize_t columns) {
+View view_of(const World& w, std::vector<float> Arrays::* values, Py_ssize_t columns) {
     return {w.arrays, (*w.arrays).*values, static_cast<Py_ssize_t>(w.bodies.slots.size()), columns};
 }
 
@@ -79,11 +102,12 @@ std::vector<std::uint32_t> body_slots(const World& w) { // in creation order
     return list;
 }
 
-nb::object cast_ray(const World& w, nb::handle start, nb::handle end) {
+std::optional<Anything> cast_ray(const World& w, nb::handle start, nb::handle end) {
     Vec2 s = to_vec2(start, "World.ray_cast", "start"), e = to_vec2(end, "World.ray_cast", "end");
     std::optional<RayHit> hit = ray_cast(w.shapes, w.bodies, s, e);
-    if (!hit) return nb::none();
-    return nb::make_tuple(hit->body, hit->shape, from_vec2(hit->point), from_vec2(hit->normal), hit->fraction);
+    if (!hit) return {};
+    return nb::borrow<Anything>(
+        nb::make_tuple(hit->body, hit->shape, from_vec2(hit->point), from_vec2(hit->normal), hit->fraction));
 }
 
 std::vector<std::uint32_t> overlapping(const World& w, const NewShape& spec, nb::handle at, double angle) {
@@ -96,20 +120,35 @@ std::vector<std::uint32_t> overlapping(const World& w, const NewShape& spec, nb:
     return found;
 }
 
-void restore_from(World& w, nb::bytes data) {
-    std::span<const std::uint8_t> bytes(reinterpret_cast<const std::uint8_t*>(data.c_str()), data.size());
-    switch (restore(w, bytes)) {
-    case SnapshotProblem::none: return;
-    case SnapshotProblem::not_a_snapshot: raise(ErrorKind::snapshot, "World.restore: these bytes are no snapshot of a world");
+std::shared_ptr<SavedState> read_bytes(nb::bytes data) {
+    ReadSnapshot read = read_snapshot({reinterpret_cast<const std::uint8_t*>(data.c_str()), data.size()});
+    const char* what = "";
+    switch (read.problem) {
+    case SnapshotProblem::none:
+        return read.state;
+    case SnapshotProblem::not_a_snapshot:
+        what = "these bytes are no snapshot of a world";
+        break;
     case SnapshotProblem::other_version:
-        raise(ErrorKind::snapshot, "World.restore: this snapshot is of another version of the engine; this one reads version " +
-                                       std::to_string(kSnapshotVersion));
-    case SnapshotProblem::cut_short: raise(ErrorKind::snapshot, "World.restore: this snapshot is cut short; the world is as it was");
-    case SnapshotProblem::damaged: raise(ErrorKind::snapshot, "World.restore: this snapshot is damaged; the world is as it was");
+        what = "this snapshot is of another version of the engine";
+        break;
+    case SnapshotProblem::cut_short:
+        what = "this snapshot is cut short; the world is as it was";
+        break;
+    case SnapshotProblem::damaged:
+        what = "this snapshot is damaged; the world is as it was";
+        break;
     case SnapshotProblem::inconsistent:
-        raise(ErrorKind::snapshot, "World.restore: this snapshot contradicts itself; the world is as it was");
+        what = "this snapshot contradicts itself; the world is as it was";
+        break;
     }
+    raise(ErrorKind::snapshot, std::string("World.restore: ") + what);
 }
+
+// A parsed snapshot on its way from read to restore; empty once it is used.
+struct Saved {
+    std::shared_ptr<SavedState> state;
+};
 
 void set_area(Area& area, const NewShape& spec, nb::handle at, double angle) {
     Affine m = used(spec, at, angle, 1.0f, 0.0f, 0.0f).shape.local;
@@ -147,9 +186,9 @@ void bind_spec(nb::module_& module) {
     nb::class_<BodySpec> c(module, "BodySpec", "What a new body shall be.");
     c.def(
         "__init__",
-        [](BodySpec* self, int kind, nb::handle at, double angle, nb::handle velocity, float spin, float damping, float angular_damping,
-           float drag, float gravity_scale, float density, float friction, float restitution, float mass, bool bullet, bool touchable,
-           std::string tag) {
+        [](BodySpec* self, int kind, nb::handle at, double angle, nb::handle velocity, float spin, float damping,
+           float angular_damping, float drag, float gravity_scale, float density, float friction, float restitution,
+           float mass, bool bullet, bool touchable, std::string tag) {
             BodySpec s;
             Body& b = s.row;
             b.kind = static_cast<BodyKind>(kind);
@@ -170,9 +209,10 @@ void bind_spec(nb::module_& module) {
             s.tag = std::move(tag);
             new (self) BodySpec(std::move(s));
         },
-        nb::kw_only(), nb::arg("kind"), nb::arg("at"), nb::arg("angle"), nb::arg("velocity"), nb::arg("spin"), nb::arg("damping"),
-        nb::arg("angular_damping"), nb::arg("drag"), nb::arg("gravity_scale"), nb::arg("density"), nb::arg("friction"),
-        nb::arg("restitution"), nb::arg("mass"), nb::arg("bullet"), nb::arg("touchable"), nb::arg("tag"));
+        nb::kw_only(), nb::arg("kind"), nb::arg("at"), nb::arg("angle"), nb::arg("velocity"), nb::arg("spin"),
+        nb::arg("damping"), nb::arg("angular_damping"), nb::arg("drag"), nb::arg("gravity_scale"), nb::arg("density"),
+        nb::arg("friction"), nb::arg("restitution"), nb::arg("mass"), nb::arg("bullet"), nb::arg("touchable"),
+        nb::arg("tag"));
 }
 
 void bind_objects(nb::class_<World>& c) {
@@ -185,11 +225,12 @@ void bind_objects(nb::class_<World>& c) {
     });
     c.def("material", [](const World& w, std::uint32_t slot) {
         const Body& b = w.bodies.rows.at(slot);
-        return nb::make_tuple(b.density, b.friction, b.restitution);
+        return nb::borrow<Floats>(nb::make_tuple(b.density, b.friction, b.restitution));
     });
-    c.def("add_force", add_force_of, nb::kw_only(), nb::arg("kind"), nb::arg("everywhere"), nb::arg("vector"), nb::arg("anchor"),
-          nb::arg("at_anchor"), nb::arg("target"), nb::arg("stiffness"), nb::arg("rest_length"), nb::arg("damping"), nb::arg("linear"),
-          nb::arg("quadratic"), nb::arg("limit"), nb::arg("area").none(), nb::arg("area_at"), nb::arg("area_angle"));
+    c.def("add_force", add_force_of, nb::kw_only(), nb::arg("kind"), nb::arg("everywhere"), nb::arg("vector"),
+          nb::arg("anchor"), nb::arg("at_anchor"), nb::arg("target"), nb::arg("stiffness"), nb::arg("rest_length"),
+          nb::arg("damping"), nb::arg("linear"), nb::arg("quadratic"), nb::arg("limit"), nb::arg("area").none(),
+          nb::arg("area_at"), nb::arg("area_angle"));
     c.def("body_slots", body_slots);
     c.def("force_slots", [](const World& w) {
         std::vector<std::uint32_t> list;
@@ -197,9 +238,15 @@ void bind_objects(nb::class_<World>& c) {
             if (w.forces.slots.taken(s)) list.push_back(s);
         return list;
     });
-    c.def("body_generation", [](const World& w, std::uint32_t slot) { return slot < w.bodies.slots.size() ? w.bodies.slots.generation(slot) : 0u; });
-    c.def("shape_generation", [](const World& w, std::uint32_t slot) { return slot < w.shapes.slots.size() ? w.shapes.slots.generation(slot) : 0u; });
-    c.def("force_generation", [](const World& w, std::uint32_t slot) { return slot < w.forces.slots.size() ? w.forces.slots.generation(slot) : 0u; });
+    c.def("body_generation", [](const World& w, std::uint32_t slot) {
+        return slot < w.bodies.slots.size() ? w.bodies.slots.generation(slot) : 0u;
+    });
+    c.def("shape_generation", [](const World& w, std::uint32_t slot) {
+        return slot < w.shapes.slots.size() ? w.shapes.slots.generation(slot) : 0u;
+    });
+    c.def("force_generation", [](const World& w, std::uint32_t slot) {
+        return slot < w.forces.slots.size() ? w.forces.slots.generation(slot) : 0u;
+    });
     c.def_prop_ro("body_count", [](const World& w) { return w.bodies.slots.count(); });
 }
 
@@ -207,8 +254,8 @@ void bind_objects(nb::class_<World>& c) {
 
 void register_world(nb::module_& module) {
     bind_spec(module);
-    module.def("use", used, nb::arg("spec"), nb::arg("offset"), nb::arg("angle"), nb::arg("density"), nb::arg("friction"),
-               nb::arg("restitution"), "A shape with the place and material of one use.");
+    module.def("use", used, nb::arg("spec"), nb::arg("offset"), nb::arg("angle"), nb::arg("density"),
+               nb::arg("friction"), nb::arg("restitution"), "A shape with the place and material of one use.");
     nb::class_<World> c(module, "World", "The simulation's state and kernels.");
     c.def(nb::init<>());
     c.def("step", [](World& w, float dt, int substeps) { w.step(dt, substeps); }, nb::arg("dt"), nb::arg("substeps"));
@@ -237,7 +284,15 @@ void register_world(nb::module_& module) {
         std::vector<std::uint8_t> bytes = snapshot(w);
         return nb::bytes(bytes.data(), bytes.size());
     });
-    c.def("restore", restore_from);
+    nb::class_<Saved> saved(module, "Saved", "A snapshot that was read and found whole.");
+    saved.def("__init__", [](Saved* self, nb::bytes data) { new (self) Saved{read_bytes(data)}; });
+    saved.def_prop_ro("notes",
+                      [](const Saved& s) { return s.state ? notes_of(*s.state) : std::vector<std::string>{}; });
+    c.def("restore", [](World& w, Saved& s) {
+        if (!s.state) raise(ErrorKind::snapshot, "World.restore: this snapshot was used up; read it again");
+        restore(w, *s.state);
+        s.state.reset();
+    });
     c.def("checksum", [](const World& w) { return checksum(w); });
 }
 

@@ -5,17 +5,19 @@
 
 namespace evil {
 
-inline constexpr float kSlop = 0.005f;       // metres of overlap left in a resting contact; at zero, stacks jitter as contacts flicker
-inline constexpr float kMargin = 4 * kSlop;  // metres: pairs nearer than this get a manifold before they touch (speculative)
+inline constexpr float kSlop =
+    0.005f; // metres of overlap left in a resting contact; at zero, stacks jitter as contacts flicker
+inline constexpr float kMargin =
+    4 * kSlop; // metres: pairs nearer than this get a manifold before they touch (speculative)
 
 struct ManifoldPoint {
-    Vec2 anchor_a, anchor_b;        // from each body's centre of mass, world axes
-    float separation = 0.0f;        // metres; negative: overlap
-    float normal_impulse = 0.0f;    // newton seconds of the last substep: where the next step starts from
+    Vec2 anchor_a, anchor_b;     // from each body's centre of mass, world axes
+    float separation = 0.0f;     // metres; negative: overlap
+    float normal_impulse = 0.0f; // newton seconds of the last substep: where the next step starts from
     float tangent_impulse = 0.0f;
-    float total_impulse = 0.0f;     // normal impulse over the whole last step
-    float closing_speed = 0.0f;     // m/s along the normal before the last step was solved; negative: they part
-    std::uint32_t id = 0;           // which features met: the same id is the same point
+    float total_impulse = 0.0f; // normal impulse over the whole last step
+    float closing_speed = 0.0f; // m/s along the normal before the last step was solved; negative: they part
+    std::uint32_t id = 0;       // which features met: the same id is the same point
 };
 
 // The axis that separated a pair last time, or that was the contact's normal: tried first (SPEC C3).
@@ -28,9 +30,9 @@ struct Contact {
     std::uint32_t piece_a = 0, piece_b = 0; // key, piece_a < piece_b
     std::uint32_t shape_a = 0, shape_b = 0, body_a = 0, body_b = 0;
     Axis axis;
-    std::uint8_t count = 0;                 // points in the manifold
-    bool touching = false;                  // they overlapped, or pushed each other, in the last step
-    Vec2 normal;                            // world, from a to b
+    std::uint8_t count = 0; // points in the manifold
+    bool touching = false;  // they overlapped, or pushed each other, in the last step
+    Vec2 normal;            // world, from a to b
     float friction = 0.0f, restitution = 0.0f;
     ManifoldPoint points[2];
 };
@@ -51,10 +53,10 @@ struct Touch {
 };
 
 struct Contacts {
-    std::vector<Contact> rows;     // State, sorted by key
-    std::vector<Touch> touches;    // State, sorted by order
+    std::vector<Contact> rows;       // State, sorted by key
+    std::vector<Touch> touches;      // State, sorted by order
     std::vector<Touch> begun, ended; // results of the last step
-    struct {                       // Scratch
+    struct {                         // Scratch
         std::vector<Pair> pairs;
         std::vector<Contact> rows;
         std::vector<Touch> touches;

@@ -123,7 +123,8 @@ ManifoldSketch collide_circles(const Placed& a, const Placed& b, float margin) {
 }
 
 // The nearest point of the polygon to the circle's centre decides: a corner, or the face it lies over.
-ManifoldSketch collide_polygon_circle(const Placed& polygon, const Placed& circle, float margin, Axis& axis, bool flipped) {
+ManifoldSketch collide_polygon_circle(const Placed& polygon, const Placed& circle, float margin, Axis& axis,
+                                      bool flipped) {
     Vec2 c = untransform(polygon.pose, transform(circle.pose, circle.piece.centre));
     float r = circle.piece.radius;
     auto height = [&](std::uint32_t e) { return dot(polygon.normals[e], c - polygon.points[e]); };

@@ -61,11 +61,15 @@ std::optional<RayHit> ray_cast(const Shapes& shapes, const Bodies& bodies, Vec2 
     RayHit best;
     for_each_piece(shapes, bodies, [&](const Piece& piece, const Body& body) {
         Vec2 s = untransform(body.pose, start), d = unrotate(body.pose.q, end - start);
-        std::optional<Entry> hit = piece.count == 0 ? enter_circle(piece, s, d)
-                                                    : enter_polygon(points_of(shapes, piece), normals_of(shapes, piece), s, d);
+        std::optional<Entry> hit = piece.count == 0
+                                       ? enter_circle(piece, s, d)
+                                       : enter_polygon(points_of(shapes, piece), normals_of(shapes, piece), s, d);
         bool nearer = hit && (hit->fraction < best.fraction || (best.body == kNone && hit->fraction <= best.fraction));
         if (nearer)
-            best = {piece.shape, piece.body, start + hit->fraction * (end - start), rotate(body.pose.q, hit->normal), hit->fraction};
+            best = {piece.shape, piece.body, start + hit->fraction * (end - start),
+                    rotate(body.pose.q, hit->normal) + Vec2{}, // no -0
+
+                    hit->fraction};
     });
     if (best.body == kNone) return {};
     return best;
@@ -87,7 +91,8 @@ void bodies_at(const Shapes& shapes, const Bodies& bodies, Vec2 point, std::vect
     by_creation(bodies, found);
 }
 
-void bodies_overlapping(const Shapes& shapes, const Bodies& bodies, const Shapes& probe, std::vector<std::uint32_t>& found) {
+void bodies_overlapping(const Shapes& shapes, const Bodies& bodies, const Shapes& probe,
+                        std::vector<std::uint32_t>& found) {
     for (std::uint32_t q = 0; q < probe.piece_slots.size(); ++q) {
         const Piece& mine = probe.pieces[q];
         Bounds bounds = bounds_of(probe, mine, Pose{});

@@ -64,17 +64,26 @@ void apply_one(const Force& f, const Area& area, const Bodies& bodies, std::uint
     const Body& b = bodies.rows[slot];
     if (b.kind != BodyKind::dynamic || !b.awake) return;
     switch (f.kind) {
-    case ForceKind::gravity: pushes[slot].force += b.mass * f.vector; break;
+    case ForceKind::gravity:
+        pushes[slot].force += b.mass * f.vector;
+        break;
     case ForceKind::constant:
         push_at(pushes[slot], f.vector, f.at_anchor ? rotate(b.pose.q, f.anchor - b.local_centre) : Vec2{});
         break;
-    case ForceKind::spring: apply_spring(f, bodies, slot, h, pushes); break;
+    case ForceKind::spring:
+        apply_spring(f, bodies, slot, h, pushes);
+        break;
     case ForceKind::medium:
         if (contains(area, b.centre)) apply_drag(f, b, h, pushes[slot]);
         break;
-    case ForceKind::drag: apply_drag(f, b, h, pushes[slot]); break;
-    case ForceKind::pull: apply_pull(f, b, gravity, h, pushes[slot]); break;
-    case ForceKind::python: break; // asked once a step, before it begins
+    case ForceKind::drag:
+        apply_drag(f, b, h, pushes[slot]);
+        break;
+    case ForceKind::pull:
+        apply_pull(f, b, gravity, h, pushes[slot]);
+        break;
+    case ForceKind::python:
+        break; // asked once a step, before it begins
     }
 }
 

@@ -12,9 +12,9 @@ enum class ForceKind : std::uint8_t { gravity, constant, spring, drag, medium, p
 struct Force {
     ForceKind kind = ForceKind::gravity;
     bool everywhere = false; // acts on every dynamic body; `bodies` is empty
-    Vec2 vector;             // gravity: acceleration; constant: newtons; spring, pull: where to, in world or `target`'s frame
-    Vec2 anchor;             // spring, constant: the point of the body it acts on, body frame
-    bool at_anchor = false;  // constant: acts at `anchor`, not at the centre of mass
+    Vec2 vector; // gravity: acceleration; constant: newtons; spring, pull: where to, in world or `target`'s frame
+    Vec2 anchor; // spring, constant: the point of the body it acts on, body frame
+    bool at_anchor = false;       // constant: acts at `anchor`, not at the centre of mass
     std::uint32_t target = kNone; // spring: the body at its other end
     float stiffness = 0.0f;       // spring: N/m. pull: natural frequency in Hz
     float rest_length = 0.0f;     // spring: metres

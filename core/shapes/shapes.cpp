@@ -5,7 +5,8 @@ namespace evil {
 namespace {
 
 std::uint32_t corner_count(const Shapes& shapes, std::uint32_t shape, std::size_t part) {
-    return shapes.rows[shape].kind == ShapeKind::polygon ? static_cast<std::uint32_t>(shapes.parts[shape][part].size()) : 0;
+    return shapes.rows[shape].kind == ShapeKind::polygon ? static_cast<std::uint32_t>(shapes.parts[shape][part].size())
+                                                         : 0;
 }
 
 void bake_circle(Piece& piece, const Shape& shape, const Affine& m) {

@@ -27,11 +27,13 @@ struct Shape {
 // A convex polygon with any number of corners, or a circle (no corners), in the body's frame.
 struct Piece {
     std::uint32_t shape = kNone, body = kNone;
-    std::uint32_t next = kNone;         // next piece of the same shape
-    std::uint32_t first = 0, count = 0; // corners and outward normals in the pool, counter-clockwise; normal i is of edge i to i + 1
-    Vec2 centre;                        // of the circle, or of the polygon's corners' bounds
-    float radius = 0.0f;                // of a circle; 0 for a polygon
-    float reach = 0.0f;                 // distance from `centre` to the farthest point: the bounding circle of SPEC C2
+    std::uint32_t next = kNone; // next piece of the same shape
+    std::uint32_t first = 0,
+                  count =
+                      0; // corners and outward normals in the pool, counter-clockwise; normal i is of edge i to i + 1
+    Vec2 centre;         // of the circle, or of the polygon's corners' bounds
+    float radius = 0.0f; // of a circle; 0 for a polygon
+    float reach = 0.0f;  // distance from `centre` to the farthest point: the bounding circle of SPEC C2
 };
 
 using Part = std::vector<std::uint32_t>; // a convex part of a polygon, by the numbers of its corners
@@ -49,7 +51,9 @@ struct Shapes { // State: rows by slot
 };
 
 inline std::span<const Vec2> points_of(const Shapes& s, const Piece& p) { return {s.points.data() + p.first, p.count}; }
-inline std::span<const Vec2> normals_of(const Shapes& s, const Piece& p) { return {s.normals.data() + p.first, p.count}; }
+inline std::span<const Vec2> normals_of(const Shapes& s, const Piece& p) {
+    return {s.normals.data() + p.first, p.count};
+}
 
 // A polygon's corners (counter-clockwise, already checked) and parts, or a circle, as a new row without a body.
 std::uint32_t add_shape_row(Shapes& shapes, const Shape& shape, std::vector<Vec2> corners, std::vector<Part> parts);

@@ -3,10 +3,10 @@
 namespace evil {
 namespace {
 
-constexpr float kContactHertz = 30.0f;      // stiffness of a soft contact; at most a quarter of the substep rate is stable
-constexpr float kContactDamping = 10.0f;    // damping ratio: overlap is pushed out without a bounce
-constexpr float kPushSpeed = 3.0f;          // m/s: the fastest that overlap is pushed out; more, and piles burst apart
-constexpr float kRestitutionSpeed = 0.25f;  // m/s: slower impacts do not bounce (SPEC C7); at zero, stacks never rest
+constexpr float kContactHertz = 30.0f;   // stiffness of a soft contact; at most a quarter of the substep rate is stable
+constexpr float kContactDamping = 10.0f; // damping ratio: overlap is pushed out without a bounce
+constexpr float kPushSpeed = 3.0f;       // m/s: the fastest that overlap is pushed out; more, and piles burst apart
+constexpr float kRestitutionSpeed = 0.25f; // m/s: slower impacts do not bounce (SPEC C7); at zero, stacks never rest
 
 // Catto, "Soft Constraints", GDC 2011: a spring of that frequency and damping ratio, integrated implicitly over h.
 Softness softness(float hertz, float h) {
@@ -148,7 +148,7 @@ void apply_restitution(Solver& solver) {
             float speed = dot(relative_velocity(a, b, arm_a, arm_b), k.normal);
             float impulse = -p.normal_mass * (speed - k.restitution * p.closing_speed);
             impulse = std::max(impulse, -p.normal_impulse); // the sum may not pull
-            p.total_impulse += impulse; // but the next step does not start from a bounce
+            p.total_impulse += impulse;                     // but the next step does not start from a bounce
             push(a, b, arm_a, arm_b, impulse * k.normal);
         }
         if (k.a) solver.bodies[k.a] = a;

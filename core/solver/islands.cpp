@@ -30,7 +30,8 @@ void find_islands(Solver& solver, const Bodies& bodies, const Contacts& contacts
     for (const Contact& c : contacts.rows)
         if (c.count > 0 && dynamic(bodies, c.body_a) && dynamic(bodies, c.body_b)) unite(island, c.body_a, c.body_b);
     for (std::uint32_t i = 0; i < forces.slots.size(); ++i) {
-        if (!forces.slots.taken(i) || forces.rows[i].target == kNone || !dynamic(bodies, forces.rows[i].target)) continue;
+        if (!forces.slots.taken(i) || forces.rows[i].target == kNone || !dynamic(bodies, forces.rows[i].target))
+            continue;
         for (std::uint32_t slot : forces.rows[i].bodies)
             if (dynamic(bodies, slot)) unite(island, forces.rows[i].target, slot);
     }

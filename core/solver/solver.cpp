@@ -45,9 +45,9 @@ void integrate_velocities(Solver& solver, Bodies& bodies, Vec2 gravity, float h)
         if (b.kind != BodyKind::dynamic) continue;
         Push push = solver.pushes[solver.body_slots[i]];
         b.acceleration = clamped(s.inv_mass * (b.force + push.force) + b.gravity_scale * gravity, kMaxForce); // (4.3)
-        float turning = s.inv_inertia * (b.torque + push.torque);                         // (4.6)
-        s.velocity = clamped(kept(b.damping, h) * s.velocity + h * b.acceleration, kMaxSpeed); // (4.2)
-        s.spin = clamped(kept(b.angular_damping, h) * s.spin + h * turning, kMaxSpin);         // (4.5)
+        float turning = s.inv_inertia * (b.torque + push.torque);                                             // (4.6)
+        s.velocity = clamped(kept(b.damping, h) * s.velocity + h * b.acceleration, kMaxSpeed);                // (4.2)
+        s.spin = clamped(kept(b.angular_damping, h) * s.spin + h * turning, kMaxSpin);                        // (4.5)
     }
 }
 

@@ -13,8 +13,8 @@ struct SolverBody { // a body while it is solved; number 0 stands for all that n
     Vec2 velocity;
     float spin = 0.0f;
     float inv_mass = 0.0f;
-    Vec2 moved;                // of the centre since the step began
-    Rot turned;                // since the step began
+    Vec2 moved; // of the centre since the step began
+    Rot turned; // since the step began
     float inv_inertia = 0.0f;
     float turned_angle = 0.0f; // radians since the step began
 };
@@ -40,7 +40,7 @@ struct ContactConstraint {
     std::uint32_t a, b;    // solver bodies
     Vec2 normal;
     float friction, restitution;
-    float gained_speed;    // closing speed that the last step's acceleration alone has given (SPEC C7)
+    float gained_speed; // closing speed that the last step's acceleration alone has given (SPEC C7)
     Softness soft;
     std::uint8_t count;
     ConstraintPoint points[2];
@@ -48,9 +48,9 @@ struct ContactConstraint {
 
 struct Solver { // Scratch
     std::vector<SolverBody> bodies;
-    std::vector<Start> starts;              // of each solver body
-    std::vector<std::uint32_t> body_slots;  // of each solver body; [0] unused
-    std::vector<std::uint32_t> number_of;   // by body slot
+    std::vector<Start> starts;             // of each solver body
+    std::vector<std::uint32_t> body_slots; // of each solver body; [0] unused
+    std::vector<std::uint32_t> number_of;  // by body slot
     std::vector<ContactConstraint> constraints;
     std::vector<Push> pushes;               // by body slot
     std::vector<std::uint32_t> island_of;   // by body slot: root of its island
@@ -59,7 +59,7 @@ struct Solver { // Scratch
 };
 
 struct StepSize {
-    float dt;     // seconds, the whole step
+    float dt; // seconds, the whole step
     int substeps;
     float h() const { return dt / static_cast<float>(substeps); }
 };

@@ -8,6 +8,8 @@
 True
 """
 
+from evilengine import math
+from evilengine.math import Mat4
 from evilengine.values.errors import (
     ArgumentError,
     ArgumentTypeError,

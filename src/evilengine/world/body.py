@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, TypeVar
 
 from evilengine import _core
 from evilengine.math import Mat4
-
 from evilengine.values.callbacks import Callbacks
 from evilengine.values.checks import known_keywords, number, one_of
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
@@ -49,7 +48,7 @@ class Body(_core.Body):
 
     @property
     def kind(self) -> str:
-        """'dynamic': moved by forces and contacts; 'kinematic': moves by its own velocity, pushed by nothing; 'static'."""
+        """'dynamic': moved by forces and contacts; 'kinematic': by its own velocity alone; 'static': not at all."""
         return KINDS[self._kind]
 
     @kind.setter
@@ -160,7 +159,7 @@ class Body(_core.Body):
 
     @property
     def on_separate(self) -> Callbacks[...]:
-        """Decorator: call a function with the Contact when this body ceases to touch another (which may be destroyed)."""
+        """Decorator: call a function with the Contact when this body ceases to touch another (maybe a destroyed one)."""
         return self._callback("on_separate", "contact")
 
     @property

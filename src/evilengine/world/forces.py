@@ -44,7 +44,7 @@ class Force:
     """
 
     _world: World | None = None
-    _core: _core.Force | None = None
+    _ref: _core.Force | None = None
     _kind: ClassVar[int] = PYTHON
 
     def apply(self, bodies: Sequence[Body], dt: float) -> None:
@@ -56,7 +56,7 @@ class Force:
     @property
     def alive(self) -> bool:
         """Is it at work in a world? False before it was added and after it was destroyed."""
-        return self._core is not None and self._core.alive
+        return self._ref is not None and self._ref.alive
 
     @property
     def world(self) -> World:
@@ -91,22 +91,22 @@ class Force:
         handle.destroy()
 
     def _handle(self) -> _core.Force:
-        if self._core is None:
+        if self._ref is None:
             raise ArgumentError(f"{self!r} is not in a world yet; add it with body.add_force or world.add_force")
-        return self._core
+        return self._ref
 
     def __eq__(self, other: object) -> bool:
         if self is other:
             return True
-        return isinstance(other, Force) and self._core is not None and self._core == other._core
+        return isinstance(other, Force) and self._ref is not None and self._ref == other._ref
 
     def __hash__(self) -> int:
         return id(self)
 
     def __repr__(self) -> str:
-        if self._core is None:
+        if self._ref is None:
             return f"<{type(self).__name__}, not in a world>"
-        return f"<{type(self).__name__} {self._core.slot}{'' if self.alive else ', destroyed'}>"
+        return f"<{type(self).__name__} {self._ref.slot}{'' if self.alive else ', destroyed'}>"
 
     # -- how the world builds and saves it --
 
@@ -115,7 +115,7 @@ class Force:
         return {}
 
     def _bind(self, world: World, handle: _core.Force) -> None:
-        self._world, self._core = world, handle
+        self._world, self._ref = world, handle
 
     @classmethod
     def _adopt(cls, world: World, handle: _core.Force) -> Force:
@@ -130,17 +130,17 @@ class Force:
 
     def _note(self) -> str:
         """What a snapshot keeps of a Python force: which class, and its plain attributes."""
-        state = {name: value for name, value in vars(self).items() if name not in ("_world", "_core")}
+        state = {name: value for name, value in vars(self).items() if name not in ("_world", "_ref")}
         try:
             json.dumps(state, allow_nan=False)
         except (TypeError, ValueError) as problem:
             raise SnapshotError(
-                f"{self!r} cannot be saved: its attributes must be numbers, strings, lists and dicts of them ({problem})"
+                f"{self!r} cannot be saved: its attributes must be numbers, strings, lists or dicts ({problem})"
             ) from None
         return json.dumps([type(self).__module__, type(self).__qualname__, state], sort_keys=True)
 
     def _restore_note(self, state: dict[str, Any]) -> None:
-        for name in [name for name in vars(self) if name not in ("_world", "_core") and name not in state]:
+        for name in [name for name in vars(self) if name not in ("_world", "_ref") and name not in state]:
             delattr(self, name)
         vars(self).update(state)
 
@@ -157,14 +157,18 @@ class _Value:
     def __get__(self, force: Force | None, owner: type) -> Any:
         if force is None:
             return self
-        return getattr(force, self.key) if force._core is None else getattr(force._core, self.field)
+        return getattr(force, self.key) if force._ref is None else getattr(force._ref, self.field)
 
     def __set__(self, force: Force, value: Any) -> None:
         owner = type(force).__name__
-        checked = to_vec2(value, owner, self.name) if self.point else number(value, owner, self.name, least=self.least, most=1e18)
+        checked = (
+            to_vec2(value, owner, self.name)
+            if self.point
+            else number(value, owner, self.name, least=self.least, most=1e18)
+        )
         setattr(force, self.key, checked)
-        if force._core is not None:
-            setattr(force._core, self.field, checked)
+        if force._ref is not None:
+            setattr(force._ref, self.field, checked)
 
 
 class Gravity(Force):
@@ -182,7 +186,7 @@ class Gravity(Force):
         self.acceleration = acceleration
 
     def _parameters(self, world: World) -> dict[str, Any]:
-        return {"vector": self._acceleration}
+        return {"vector": self.acceleration}
 
 
 class ConstantForce(Force):
@@ -209,7 +213,7 @@ class ConstantForce(Force):
         return self._at
 
     def _parameters(self, world: World) -> dict[str, Any]:
-        return {"vector": self._force, "anchor": self._at or (0.0, 0.0), "at_anchor": self._at is not None}
+        return {"vector": self.force, "anchor": self._at or (0.0, 0.0), "at_anchor": self._at is not None}
 
 
 class Spring(Force):
@@ -258,15 +262,15 @@ class Spring(Force):
         """Where it pulls to: a point of the world, which may be changed, or a Body."""
         if isinstance(self._to, _core.Body):
             return self._to  # type: ignore[return-value]
-        return self._to if self._core is None else self._core.vector
+        return self._to if self._ref is None else self._ref.vector
 
     @to.setter
     def to(self, value: Point) -> None:
         if isinstance(self._to, _core.Body) or isinstance(value, _core.Body):
             raise ArgumentTypeError("Spring: to can only change from point to point; make another spring to tie bodies")
         self._to = to_vec2(value, "Spring", "to")
-        if self._core is not None:
-            self._core.vector = self._to
+        if self._ref is not None:
+            self._ref.vector = self._to
 
     def _parameters(self, world: World) -> dict[str, Any]:
         tied = isinstance(self._to, _core.Body)
@@ -274,9 +278,9 @@ class Spring(Force):
             "vector": self._to_at if tied else self._to,
             "anchor": self._at,
             "target": world._own_body(self._to, "Spring", "to").slot if tied else _core.NO_SLOT,
-            "stiffness": self._stiffness,
-            "rest_length": self._rest_length,
-            "damping": self._damping,
+            "stiffness": self.stiffness,
+            "rest_length": self.rest_length,
+            "damping": self.damping,
         }
 
 
@@ -296,7 +300,7 @@ class Drag(Force):
         self.linear, self.quadratic = linear, quadratic
 
     def _parameters(self, world: World) -> dict[str, Any]:
-        return {"linear": self._linear, "quadratic": self._quadratic}
+        return {"linear": self.linear, "quadratic": self.quadratic}
 
 
 class Medium(Force):
@@ -330,8 +334,8 @@ class Medium(Force):
 
     def _parameters(self, world: World) -> dict[str, Any]:
         return {
-            "linear": self._linear,
-            "quadratic": self._quadratic,
+            "linear": self.linear,
+            "quadratic": self.quadratic,
             "area": self.area._spec,
             "area_at": self._at,
             "area_angle": self._angle,
@@ -356,7 +360,7 @@ class Pull(Force):
         self.to, self.frequency, self.limit = to, frequency, limit
 
     def _parameters(self, world: World) -> dict[str, Any]:
-        return {"vector": self._to, "stiffness": self._frequency, "limit": self._limit}
+        return {"vector": self.to, "stiffness": self.frequency, "limit": self.limit}
 
 
 def to_area(area: object, owner: str) -> tuple[ShapeDefinition, Vec2]:

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import functools
-import importlib
-import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from typing import Any, TypeVar
 
 from evilengine import _core
 from evilengine.values.checks import known_keywords, number, one_of
-from evilengine.values.errors import ArgumentError, ArgumentTypeError, SnapshotError
+from evilengine.values.errors import ArgumentError, ArgumentTypeError
 from evilengine.values.vec2 import Point, Vec2, to_vec2
 from evilengine.world import forces as force_kinds
+from evilengine.world import saving
+from evilengine.world.arguments import flag, listed, place, several, speed
+from evilengine.world.bodies import Bodies
 from evilengine.world.body import KINDS, Body, Motion, Shape, to_tag
 from evilengine.world.contacts import Contact, Contacts, RayHit
 from evilengine.world.forces import Force
@@ -21,24 +21,20 @@ from evilengine.world.shapes import ShapeDefinition, to_shape
 MAX_STEP = 1.0
 """Seconds: the longest step. A longer one is a mistake in units."""
 
-MAX_SPEED = 1e5
 MAX_SPIN = 1e4
-WORLD_EDGE = 1e7
+"""Radians a second."""
 
 AnyForce = TypeVar("AnyForce", bound=Force)
-BUILT_IN = {c._kind: c for c in (force_kinds.Gravity, force_kinds.ConstantForce, force_kinds.Spring, force_kinds.Drag,
-                                 force_kinds.Medium, force_kinds.Pull)}  # fmt: skip
 
 
 class World:
     """Bodies, forces and contacts, and the step that moves them.
 
     `gravity` in m/s2; `sleep` lets bodies that rest cost nothing; `threads` is how many threads a step may use (the
-    result is the same for any number; steps run on one for now). Units are metres, seconds, kilograms, radians; y is up.
+    result is the same for any number; steps run on one for now). Metres, seconds, kilograms, radians; y is up.
 
-    >>> from evilengine import Circle
-    >>> world = World(gravity=(0, -10))
-    >>> ball = world.add(Circle(0.5), at=(0, 10))
+    >>> world = evil.World(gravity=(0, -10))
+    >>> ball = world.add(evil.Circle(0.5), at=(0, 10))
     >>> for _ in range(60):
     ...     world.step(1 / 60)
     >>> 4.9 < ball.position.y < 5.1
@@ -148,20 +144,20 @@ class World:
 
         Raises ArgumentError, ArgumentTypeError or ShapeError for what is not allowed; the world is then as before.
 
-        >>> world = World()
-        >>> world.add(Rectangle(40, 1), at=(0, -0.5), kind="static").kind
+        >>> world = evil.World()
+        >>> world.add(evil.Rectangle(40, 1), at=(0, -0.5), kind="static").kind
         'static'
         """
         me = "World.add()"
-        shapes = [shape] if isinstance(shape, ShapeDefinition) else _several(shape, me)
+        shapes = [shape] if isinstance(shape, ShapeDefinition) else several(shape, me)
         density = number(density, me, "density", least=0.0, most=1e9)
         friction = number(friction, me, "friction", least=0.0, most=1e6)
         restitution = number(restitution, me, "restitution", least=0.0, most=1.0)
         spec = _core.BodySpec(
             kind=KINDS.index(one_of(kind, me, "kind", KINDS)),
-            at=_place(at, me),
+            at=place(at, me),
             angle=number(angle, me, "angle", least=-1e15, most=1e15),
-            velocity=_speed(velocity, me),
+            velocity=speed(velocity, me),
             spin=number(angular_velocity, me, "angular_velocity", least=-MAX_SPIN, most=MAX_SPIN),
             damping=number(damping, me, "damping", least=0.0, most=1.0),
             angular_damping=number(angular_damping, me, "angular_damping", least=0.0, most=1.0),
@@ -171,8 +167,8 @@ class World:
             friction=friction,
             restitution=restitution,
             mass=0.0 if mass is None else number(mass, me, "mass", least=1e-12, most=1e12),
-            bullet=_flag(bullet, me, "bullet"),
-            touchable=_flag(touchable, me, "touchable"),
+            bullet=flag(bullet, me, "bullet"),
+            touchable=flag(touchable, me, "touchable"),
             tag=to_tag(tag, me),
         )
         use = _core.use
@@ -187,15 +183,18 @@ class World:
 
         A force that is already in this world is shared: the bodies are attached to it as well.
 
-        >>> world = World(gravity=(0, 0))
-        >>> a, b = world.add(Circle(1)), world.add(Circle(1), at=(3, 0))
-        >>> world.add_force(Gravity((0, -2)), [a, b]).bodies == (a, b)
+        >>> world = evil.World(gravity=(0, 0))
+        >>> a, b = world.add(evil.Circle(1)), world.add(evil.Circle(1), at=(3, 0))
+        >>> world.add_force(evil.Gravity((0, -2)), [a, b]).bodies == (a, b)
         True
         """
         if not isinstance(force, Force):
-            raise ArgumentTypeError(f"World.add_force: force must be a Force such as Spring(...) or your own subclass; got {force!r}")
-        chosen = None if bodies is None else [self._own_body(body, "World.add_force", "bodies") for body in _listed(bodies)]
-        if force._core is None:
+            raise ArgumentTypeError(
+                f"World.add_force: force must be a Force such as Spring(...) or your own subclass; got {force!r}"
+            )
+        me = "World.add_force"
+        chosen = None if bodies is None else [self._own_body(body, me, "bodies") for body in listed(bodies)]
+        if force._ref is None:
             self._enter(force, everywhere=chosen is None)
         elif force._world is not self:
             raise ArgumentError(f"World.add_force: {force!r} is in another world; make another for this one")
@@ -222,7 +221,7 @@ class World:
         Behaviours and Python forces act first, then the core steps, then events are told, in creation order. An
         exception in a callback comes out of here with the world whole.
 
-        >>> world = World(); world.step(); world.steps
+        >>> world = evil.World(); world.step(); world.steps
         1
         """
         dt = number(dt, "World.step", "dt", above=0.0, most=MAX_STEP)
@@ -290,7 +289,7 @@ class World:
 
         A shape that the segment starts in does not count.
 
-        >>> world = World(); wall = world.add(Rectangle(1, 4), at=(5, 0), kind="static")
+        >>> world = evil.World(); wall = world.add(evil.Rectangle(1, 4), at=(5, 0), kind="static")
         >>> hit = world.ray_cast((0, 0), (10, 0))
         >>> hit.body is wall, hit.point, hit.normal
         (True, Vec2(4.5, 0.0), Vec2(-1.0, 0.0))
@@ -304,7 +303,7 @@ class World:
     def bodies_at(self, point: Point) -> tuple[Body, ...]:
         """Bodies with a shape over the point, in creation order.
 
-        >>> world = World(); box = world.add(Rectangle(2, 2))
+        >>> world = evil.World(); box = world.add(evil.Rectangle(2, 2))
         >>> world.bodies_at((0.5, 0.5)) == (box,), world.bodies_at((5, 5))
         (True, ())
         """
@@ -314,8 +313,8 @@ class World:
     def overlapping(self, shape: ShapeDefinition, *, at: Point = (0.0, 0.0), angle: float = 0.0) -> tuple[Body, ...]:
         """Bodies that `shape`, placed `at` and turned by `angle`, would overlap, in creation order.
 
-        >>> world = World(); box = world.add(Rectangle(2, 2))
-        >>> world.overlapping(Circle(1), at=(1.5, 0)) == (box,)
+        >>> world = evil.World(); box = world.add(evil.Rectangle(2, 2))
+        >>> world.overlapping(evil.Circle(1), at=(1.5, 0)) == (box,)
         True
         """
         me = "World.overlapping"
@@ -331,16 +330,16 @@ class World:
         A world restored from it and continued equals one that never stopped, byte for byte. Functions (callbacks,
         motions) are not in it; forces written in Python are, with their plain attributes.
 
-        >>> world = World(); ball = world.add(Circle(1))
-        >>> data = world.snapshot(); world.step(); world.restore(data); world.checksum() == World.of(data).checksum()
+        >>> world = evil.World(); ball = world.add(evil.Circle(1))
+        >>> data = world.snapshot(); world.step(); world.restore(data); world.snapshot() == data
         True
         """
-        self._note_python_forces()
+        saving.note_python_forces(self)
         return self._core.snapshot()
 
     def checksum(self) -> int:
         """64 bits over the whole state; equal worlds have equal checksums, on every machine."""
-        self._note_python_forces()
+        saving.note_python_forces(self)
         return self._core.checksum()
 
     @classmethod
@@ -359,45 +358,24 @@ class World:
         """
         if not isinstance(data, (bytes, bytearray, memoryview)):
             raise ArgumentTypeError(f"World.restore: data must be the bytes of a snapshot; got {type(data).__name__}")
-        before = self._core.snapshot()
-        self._note_python_forces()
-        self._core.restore(bytes(data))
-        try:
-            forces = self._forces_now()
-        except SnapshotError:
-            self._core.restore(before)
-            raise
-        self._forces = forces
+        saved = _core.Saved(bytes(data))
+        saving.check_notes(self, saved.notes)
+        self._core.restore(saved)
+        self._forces = saving.forces_now(self)
         self._handles = {slot: body for slot, body in self._handles.items() if body.alive}
         self._shape_handles = {slot: shape for slot, shape in self._shape_handles.items() if shape.alive}
         self._motions = {slot: pair for slot, pair in self._motions.items() if pair[0].alive}
         for body in self._handles.values():
             body._tag = body._tag  # the handle's own copy, for its epitaph
 
-    def _note_python_forces(self) -> None:
-        for force in self._forces.values():
-            if force._kind == force_kinds.PYTHON:
-                force._handle().note = force._note()
-
-    def _forces_now(self) -> dict[int, Force]:
-        """An object for each force of the core: the one that was there, or a new one."""
-        forces = {}
-        for slot in self._core.force_slots():
-            handle = _core.Force(self._core, slot, self._core.force_generation(slot))
-            old = self._forces.get(slot)
-            kept = old if old is not None and old._core == handle else None
-            if handle.kind == force_kinds.PYTHON:
-                forces[slot] = _python_force(self, handle, kept)
-            else:
-                forces[slot] = kept or BUILT_IN[handle.kind]._adopt(self, handle)
-        return forces
-
     # -- handles --
 
     def _body(self, slot: int, generation: int | None = None) -> Body:
         """The one handle of the body in a slot; for a generation that is gone, a stale one."""
         handle = self._handles.get(slot)
-        if handle is not None and handle.generation == (self._core.body_generation(slot) if generation is None else generation):
+        if handle is not None and handle.generation == (
+            self._core.body_generation(slot) if generation is None else generation
+        ):
             return handle
         current = self._core.body_generation(slot)
         handle = self._body_type(self, slot, current if generation is None else generation)
@@ -436,8 +414,8 @@ class World:
         self._motions.pop(body.slot, None)
         for slot, force in tuple(self._forces.items()):  # springs to it went with it
             if not force.alive:
-                assert force._core is not None
-                force._core._bury(self.steps)
+                assert force._ref is not None
+                force._ref._bury(self.steps)
                 del self._forces[slot]
 
     def _destroy_shape(self, shape: Shape) -> None:
@@ -450,102 +428,3 @@ class World:
 
     def __repr__(self) -> str:
         return f"<World, {len(self.bodies)} bodies, step {self.steps}>"
-
-
-class Bodies:
-    """A world's bodies in creation order, and their values as arrays with a row for each slot (`body.slot`).
-
-    The arrays are views without a copy, refreshed after each step; `numpy.asarray(world.bodies.positions)` works. A row
-    whose slot is free holds zeros.
-    """
-
-    __slots__ = ("_world",)
-
-    def __init__(self, world: World) -> None:
-        self._world = world
-
-    def __len__(self) -> int:
-        return self._world._core.body_count
-
-    def __iter__(self) -> Iterator[Body]:
-        return iter([self._world._body(slot) for slot in self._world._core.body_slots()])
-
-    def __contains__(self, body: object) -> bool:
-        return isinstance(body, Body) and body._world is self._world and body.alive
-
-    @property
-    def positions(self) -> _core.View:
-        """(n, 2) float32: where each body's origin is."""
-        return self._world._core.positions
-
-    @property
-    def angles(self) -> _core.View:
-        """(n,) float32: radians."""
-        return self._world._core.angles
-
-    @property
-    def velocities(self) -> _core.View:
-        """(n, 2) float32: metres a second."""
-        return self._world._core.velocities
-
-    @property
-    def matrices(self) -> _core.View:
-        """(n, 16) float32: body to world, column by column."""
-        return self._world._core.matrices
-
-    def __repr__(self) -> str:
-        return f"<Bodies, {len(self)}>"
-
-
-def _several(shapes: object, owner: str) -> list[ShapeDefinition]:
-    if isinstance(shapes, Iterable) and not isinstance(shapes, (str, bytes)):
-        found = [to_shape(shape, owner) for shape in shapes]
-        if found:
-            return found
-    return [to_shape(shapes, owner)]
-
-
-def _listed(bodies: object) -> list[Any]:
-    if isinstance(bodies, Body):
-        return [bodies]
-    if not isinstance(bodies, Iterable):
-        raise ArgumentTypeError(f"World.add_force: bodies={bodies!r} must be a list of bodies, or None for all")
-    return list(bodies)
-
-
-def _flag(value: object, owner: str, argument: str) -> bool:
-    if not isinstance(value, bool):
-        raise ArgumentTypeError(f"{owner}: {argument}={value!r} must be True or False")
-    return value
-
-
-def _place(value: object, owner: str) -> Vec2:
-    at = to_vec2(value, owner, "at")
-    if at.length > WORLD_EDGE:
-        raise ArgumentError(f"{owner}: at={value!r} must be within {WORLD_EDGE:g} metres of the origin")
-    return at
-
-
-def _speed(value: object, owner: str) -> Vec2:
-    velocity = to_vec2(value, owner, "velocity")
-    if max(abs(velocity.x), abs(velocity.y)) > MAX_SPEED:
-        raise ArgumentError(f"{owner}: velocity={value!r} must be at most {MAX_SPEED:g} m/s along each axis")
-    return velocity
-
-
-def _python_force(world: World, handle: _core.Force, kept: Force | None) -> Force:
-    """The object of a Python force after a restore, with the attributes that were saved."""
-    module, name, state = json.loads(handle.note)
-    force = kept
-    if force is None:
-        try:
-            kind = functools.reduce(getattr, name.split("."), importlib.import_module(module))
-            force = kind.__new__(kind)
-        except (ImportError, AttributeError, TypeError, ValueError):
-            raise SnapshotError(
-                f"World.restore: the force {module}.{name} of this snapshot cannot be found; define it at the top of an"
-                " importable module"
-            ) from None
-        force._bind(world, handle)
-    force._restore_note(state)
-    return force

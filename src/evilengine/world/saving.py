@@ -1,0 +1,83 @@
+"""What a snapshot keeps of forces written in Python, and their objects after a restore."""
+
+from __future__ import annotations
+
+import functools
+import importlib
+import json
+from typing import TYPE_CHECKING
+
+from evilengine import _core
+from evilengine.values.errors import SnapshotError
+from evilengine.world import forces as kinds
+from evilengine.world.forces import Force
+
+if TYPE_CHECKING:
+    from evilengine.world.world import World
+
+BUILT_IN: dict[int, type[Force]] = {
+    kind._kind: kind
+    for kind in (kinds.Gravity, kinds.ConstantForce, kinds.Spring, kinds.Drag, kinds.Medium, kinds.Pull)
+}
+
+
+def note_python_forces(world: World) -> None:
+    """Give the core what it shall save of each force written in Python."""
+    for force in world.forces:
+        if force._kind == kinds.PYTHON:
+            force._handle().note = force._note()
+
+
+def forces_now(world: World) -> dict[int, Force]:
+    """An object for each force of the core: the one that was there, or a new one."""
+    forces = {}
+    for slot in world._core.force_slots():
+        handle = _core.Force(world._core, slot, world._core.force_generation(slot))
+        old = world._forces.get(slot)
+        kept = old if old is not None and old._ref == handle else None
+        if handle.kind == kinds.PYTHON:
+            forces[slot] = python_force(world, handle, kept)
+        else:
+            forces[slot] = kept or BUILT_IN[handle.kind]._adopt(world, handle)
+    return forces
+
+
+def python_force(world: World, handle: _core.Force, kept: Force | None) -> Force:
+    """The object of a Python force after a restore, with the attributes that were saved."""
+    module, name, state = json.loads(handle.note)
+    force = kept
+    if force is None:
+        kind = next((type(f) for f in world._forces.values() if names_of(type(f)) == (module, name)), None)
+        kind = kind or python_kind(module, name)
+        force = kind.__new__(kind)
+        force._bind(world, handle)
+    force._restore_note(state)
+    return force
+
+
+def python_kind(module: str, name: str) -> type[Force]:
+    """The class of a Python force, found by name, or SnapshotError."""
+    try:
+        kind = functools.reduce(getattr, name.split("."), importlib.import_module(module))
+    except (ImportError, AttributeError, ValueError):
+        kind = None
+    if not (isinstance(kind, type) and issubclass(kind, Force)):
+        raise SnapshotError(
+            f"World.restore: the force {module}.{name} of this snapshot cannot be found; define it at the top of an"
+            " importable module"
+        )
+    return kind
+
+
+def names_of(kind: type[Force]) -> tuple[str, str]:
+    """How a class is found again: its module and its name there."""
+    return kind.__module__, kind.__qualname__
+
+
+def check_notes(world: World, notes: list[str]) -> None:
+    """Refuse a snapshot whose Python forces could not come back, before anything has changed."""
+    here = {names_of(type(force)) for force in world.forces}
+    for note in notes:
+        module, name, _ = json.loads(note)
+        if (module, name) not in here:
+            python_kind(module, name)
