@@ -31,3 +31,37 @@ from evilengine.world.shapes import Circle, Particle, Polygon, Rectangle, Triang
 from evilengine.world.world import World
 
 __version__ = "0.1.0"
+
+__all__ = [
+    "ArgumentError",
+    "ArgumentTypeError",
+    "AssetError",
+    "Body",
+    "Circle",
+    "ConstantForce",
+    "Contact",
+    "DeviceError",
+    "Drag",
+    "Error",
+    "Force",
+    "Gravity",
+    "Image",
+    "LevelError",
+    "Mat4",
+    "Medium",
+    "Particle",
+    "Polygon",
+    "Pull",
+    "RayHit",
+    "Rectangle",
+    "SaveError",
+    "Shape",
+    "ShapeError",
+    "SnapshotError",
+    "Spring",
+    "StaleReferenceError",
+    "Triangle",
+    "Vec2",
+    "World",
+    "math",
+]
