@@ -4,5 +4,6 @@ from __future__ import annotations
 
 from evilengine.interaction.axis import axis
 from evilengine.interaction.collect import Interaction
+from evilengine.interaction.grab import Grabs
 
-__all__ = ["Interaction", "axis"]
+__all__ = ["Grabs", "Interaction", "axis"]
