@@ -49,6 +49,7 @@ def test_names_hex_and_tuples_become_colours(value: object, hex_text: str) -> No
 def test_every_rgba8_survives_hex_and_back(packed: int) -> None:
     text = "#" + packed.to_bytes(4, "little").hex()
     assert read(text).rgba8 == packed
+    assert Colour.of_rgba8(packed) == read(text)
     assert read(read(text).hex) == read(text)
 
 

@@ -15,4 +15,5 @@ NB_MODULE(_core, module) {
     evil::bind::register_shapes(module);
     evil::bind::register_draw_list(module);
     evil::bind::register_raster(module);
+    evil::bind::register_scene(module);
 }

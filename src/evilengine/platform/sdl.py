@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import functools
 import os
+import socket
 import sys
 import warnings
 from collections.abc import Iterator
@@ -159,8 +160,6 @@ def _dead_host(display: str) -> str:
     number = number.partition(".")[0]
     if not colon or not number.isdigit() or host in ("", "unix") or "/" in host or int(number) > 59535:
         return ""
-    import socket
-
     try:
         socket.create_connection((host.strip("[]"), 6000 + int(number)), timeout=2.0).close()
     except (OSError, UnicodeError):

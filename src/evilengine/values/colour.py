@@ -55,6 +55,11 @@ class Colour(tuple[float, float, float, float]):
         """Alpha: 0 is not seen, 1 hides what is behind."""
         return self[3]
 
+    @staticmethod
+    def of_rgba8(packed: int) -> Colour:
+        """The colour packed as 0xAABBGGRR; undoes `rgba8`."""
+        return Colour(*(((packed >> shift) & 255) / 255.0 for shift in (0, 8, 16, 24)))
+
     @property
     def rgba8(self) -> int:
         """The colour as 0xAABBGGRR: bytes r, g, b, a in memory.

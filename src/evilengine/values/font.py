@@ -35,4 +35,4 @@ class Font:
     """Pixels from one baseline to the next."""
     image: Image
     glyphs: Mapping[str, Glyph]
-    """By character; one that is missing is drawn as '?'."""
+    """By character; one that is missing is drawn as U+FFFD, or else as '?'."""

@@ -1,0 +1,264 @@
+// _core.Scene: the drawings of a scene by slot and generation, and the DrawList they become. evilengine.scene is its face;
+// it composes the words of errors about drawings, so here they are short.
+#include "draw/scene.hpp"
+#include "bind/convert.hpp"
+#include "bind/shapes.hpp"
+#include "draw/debug.hpp"
+#include "shapes/polygon.hpp"
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/tuple.h>
+#include <optional>
+
+namespace evil::bind {
+namespace {
+
+using namespace draw;
+
+constexpr const char* kOwner = "Scene.add";
+
+struct SceneBox { // what Python holds
+    draw::Scene scene;
+    std::shared_ptr<DrawList> list = std::make_shared<DrawList>();
+    std::optional<Overlay> overlay; // of the frame being collected
+    std::vector<Glyph> glyphs;      // scratch
+};
+
+using Reference = std::tuple<std::uint32_t, std::uint32_t>; // slot, generation
+using MaybeReference = std::optional<Reference>;
+using Matrix6 = std::tuple<float, float, float, float, float, float>; // a b c d tx ty
+
+Drawing& drawing_at(SceneBox& box, std::uint32_t slot, std::uint32_t generation) {
+    if (!box.scene.slots.alive(DrawingRef{slot, generation}))
+        raise(ErrorKind::stale_reference, "this Drawing was destroyed; ask drawing.alive first");
+    return box.scene.drawings[slot];
+}
+
+Affine to_affine(const Matrix6& matrix) {
+    const auto& [a, b, c, d, tx, ty] = matrix;
+    return {a, b, c, d, tx, ty};
+}
+
+float part_of_step(double alpha) {
+    return std::isfinite(alpha) ? static_cast<float>(std::clamp(alpha, 0.0, 1.0)) : 1.0f;
+}
+
+[[noreturn]] void raise_count(const char* argument, std::size_t given, std::size_t corners) {
+    raise(ErrorKind::argument, std::string(kOwner) + ": " + argument + " holds " + std::to_string(given) +
+                                   ", but the shape has " + std::to_string(corners) + " corners; give one for each");
+}
+
+std::vector<Vec2> to_texture_points(nb::handle values) {
+    std::vector<Vec2> points = to_corners(values, kOwner, "texture_points");
+    for (const Vec2 p : points)
+        if (!is_finite(p)) raise(ErrorKind::argument, std::string(kOwner) + ": texture_points must be finite");
+    return points;
+}
+
+// Corners that make a polygon, or evil.ShapeError.
+std::vector<Vec2> to_polygon(nb::handle corners) {
+    std::vector<Vec2> points = to_corners(corners, kOwner, "shape");
+    refuse_bad_polygon(points, kOwner, "shape");
+    if (signed_area(points) < 0.0)
+        raise(ErrorKind::shape,
+              std::string(kOwner) + ": shape must run counter-clockwise; evil.Polygon turns it round");
+    return points;
+}
+
+// A polygon's corners with its bounding box spread over the texture, or with the coordinates and colours given.
+std::vector<Vertex> to_vertices(std::span<const Vec2> points, nb::handle texture_points, nb::handle colours) {
+    Vec2 low = points[0], high = points[0];
+    for (const Vec2 p : points) low = min(low, p), high = max(high, p);
+    const Vec2 size = high - low;
+
+    std::vector<Vertex> result;
+    for (const Vec2 p : points) result.push_back({p, {(p.x - low.x) / size.x, (high.y - p.y) / size.y}, 0xffffffffu});
+    if (!texture_points.is_none()) {
+        const std::vector<Vec2> given = to_texture_points(texture_points);
+        if (given.size() != result.size()) raise_count("texture_points", given.size(), result.size());
+        for (std::size_t i = 0; i < given.size(); ++i) result[i].uv = given[i];
+    }
+    if (!colours.is_none()) {
+        const nb::sequence given = nb::cast<nb::sequence>(colours);
+        if (nb::len(given) != result.size()) raise_count("colours", nb::len(given), result.size());
+        for (std::size_t i = 0; i < result.size(); ++i) result[i].colour = nb::cast<Rgba8>(given[i]);
+    }
+    return result;
+}
+
+Reference add_drawing(SceneBox& box, std::uint32_t mesh, BodyRef body, ShapeRef shape = {}) {
+    Drawing drawing;
+    drawing.body = body;
+    drawing.shape = shape;
+    drawing.mesh = mesh;
+    const DrawingRef ref = add(box.scene, drawing);
+    return {ref.slot, ref.generation};
+}
+
+BodyRef to_body(MaybeReference body) { return body ? BodyRef{std::get<0>(*body), std::get<1>(*body)} : BodyRef{}; }
+
+// A drawing of a shape as the world has it, which follows the shape's matrix. A particle is shown as a disc.
+Reference add_shape(SceneBox& box, const World& world, std::uint32_t slot, float speck, nb::object texture_points,
+                    nb::object colours) {
+    if (!world.shapes.slots.taken(slot)) raise(ErrorKind::stale_reference, "this Shape was destroyed");
+    const Shape& shape = world.shapes.rows[slot];
+    Meshes& meshes = box.scene.meshes;
+    std::uint32_t mesh = 0;
+    if (shape.kind == ShapeKind::polygon)
+        mesh = meshes.take_polygon(to_vertices(world.shapes.corners[slot], texture_points, colours));
+    else
+        mesh = meshes.take_circle(shape.kind == ShapeKind::circle ? shape.radius : speck);
+    return add_drawing(box, mesh, {shape.body, world.bodies.slots.generation(shape.body)},
+                       {slot, world.shapes.slots.generation(slot)});
+}
+
+// A getter and a setter of one member, both by slot and generation.
+template <auto member> auto get() {
+    return [](SceneBox& box, std::uint32_t slot, std::uint32_t generation) {
+        return drawing_at(box, slot, generation).*member;
+    };
+}
+template <auto member> auto set() {
+    using Value = std::remove_cvref_t<decltype(std::declval<Drawing>().*member)>;
+    return [](SceneBox& box, std::uint32_t slot, std::uint32_t generation, Value value) {
+        drawing_at(box, slot, generation).*member = value;
+    };
+}
+template <auto member> auto get_matrix() {
+    return [](SceneBox& box, std::uint32_t slot, std::uint32_t generation) {
+        const Affine& m = drawing_at(box, slot, generation).*member;
+        return std::tuple(m.a, m.b, m.c, m.d, m.tx, m.ty);
+    };
+}
+template <auto member> auto set_matrix() {
+    return [](SceneBox& box, std::uint32_t slot, std::uint32_t generation, const Matrix6& matrix) {
+        drawing_at(box, slot, generation).*member = to_affine(matrix);
+    };
+}
+
+const Overlay& overlay_of(SceneBox& box) {
+    if (!box.overlay) raise(ErrorKind::argument, "Scene: collect() comes before what lies on top of it");
+    return *box.overlay;
+}
+
+std::shared_ptr<DrawList> collect_frame(SceneBox& box, const World& world, const Matrix6& view, double alpha,
+                                        float points) {
+    collect(box.scene, world.poses(), world.shapes, to_affine(view), part_of_step(alpha), points, *box.list);
+    box.overlay.emplace(begin_overlay(*box.list));
+    return box.list;
+}
+
+std::tuple<std::uint32_t, std::uint32_t, std::uint32_t> debug_frame(SceneBox& box, const World& world,
+                                                                    const Matrix6& view, double alpha, float points,
+                                                                    const std::array<Rgba8, 7>& colours,
+                                                                    bool velocities) {
+    DebugLook look;
+    look.colours = {colours[0], colours[1], colours[2], colours[3], colours[4], colours[5], colours[6]};
+    look.points = points;
+    look.velocities = velocities;
+    const DebugCount count = draw_debug(overlay_of(box), world, to_affine(view), part_of_step(alpha), look);
+    return {count.bodies, count.asleep, count.contacts};
+}
+
+void add_glyphs(SceneBox& box, nb::bytes boxes, float x, float y, std::uint32_t texture, Rgba8 colour) {
+    static_assert(sizeof(Glyph) == 8 * sizeof(float));
+    if (boxes.size() % sizeof(Glyph) != 0)
+        raise(ErrorKind::argument, "Scene.glyphs: boxes must hold eight float32 for each glyph");
+    box.glyphs.resize(boxes.size() / sizeof(Glyph));
+    std::memcpy(box.glyphs.data(), boxes.c_str(), boxes.size());
+    glyphs(overlay_of(box), box.glyphs, {x, y}, texture, colour);
+}
+
+} // namespace
+
+void register_scene(nb::module_& module) {
+    const auto slot = nb::arg("slot"), generation = nb::arg("generation"), value = nb::arg("value");
+    const auto world = nb::arg("world"), view = nb::arg("view"), alpha = nb::arg("alpha"), points = nb::arg("points");
+    nb::class_<SceneBox>(module, "Scene", "Drawings by slot and generation; evilengine.scene is the face.")
+        .def(nb::init<>())
+        .def("__len__", [](const SceneBox& box) { return box.scene.slots.count(); })
+        .def_prop_ro("mesh_count", [](const SceneBox& box) { return box.scene.meshes.count(); })
+        .def(
+            "add_polygon",
+            [](SceneBox& box, nb::handle corners, MaybeReference body, nb::object texture_points, nb::object colours) {
+                const std::vector<Vertex> vertices = to_vertices(to_polygon(corners), texture_points, colours);
+                return add_drawing(box, box.scene.meshes.take_polygon(vertices), to_body(body));
+            },
+            nb::arg("corners"), nb::arg("body") = nb::none(), nb::arg("texture_points") = nb::none(),
+            nb::arg("colours") = nb::none())
+        .def(
+            "add_circle",
+            [](SceneBox& box, float radius, MaybeReference body) {
+                return add_drawing(box, box.scene.meshes.take_circle(radius), to_body(body));
+            },
+            nb::arg("radius"), nb::arg("body") = nb::none())
+        .def("add_shape", &add_shape, world, nb::arg("shape_slot"), nb::arg("speck"),
+             nb::arg("texture_points") = nb::none(), nb::arg("colours") = nb::none())
+        .def(
+            "remove",
+            [](SceneBox& box, std::uint32_t s, std::uint32_t g) {
+                drawing_at(box, s, g);
+                remove(box.scene, {s, g});
+            },
+            slot, generation)
+        .def(
+            "alive",
+            [](const SceneBox& box, std::uint32_t s, std::uint32_t g) {
+                return box.scene.slots.alive(DrawingRef{s, g});
+            },
+            slot, generation)
+        .def("tint", get<&Drawing::tint>(), slot, generation)
+        .def("set_tint", set<&Drawing::tint>(), slot, generation, value)
+        .def("edge", get<&Drawing::edge>(), slot, generation)
+        .def("set_edge", set<&Drawing::edge>(), slot, generation, value)
+        .def("edge_width", get<&Drawing::edge_width>(), slot, generation)
+        .def("set_edge_width", set<&Drawing::edge_width>(), slot, generation, value)
+        .def("texture", get<&Drawing::texture>(), slot, generation)
+        .def("set_texture", set<&Drawing::texture>(), slot, generation, value)
+        .def("layer", get<&Drawing::layer>(), slot, generation)
+        .def(
+            "set_layer",
+            [](SceneBox& box, std::uint32_t s, std::uint32_t g, std::int32_t layer) {
+                drawing_at(box, s, g);
+                set_layer(box.scene, {s, g}, layer);
+            },
+            slot, generation, value)
+        .def("visible", get<&Drawing::visible>(), slot, generation)
+        .def("set_visible", set<&Drawing::visible>(), slot, generation, value)
+        .def("lit", get<&Drawing::lit>(), slot, generation)
+        .def("set_lit", set<&Drawing::lit>(), slot, generation, value)
+        .def("matrix", get_matrix<&Drawing::local>(), slot, generation)
+        .def("set_matrix", set_matrix<&Drawing::local>(), slot, generation, value)
+        .def("texture_matrix", get_matrix<&Drawing::texture_matrix>(), slot, generation)
+        .def("set_texture_matrix", set_matrix<&Drawing::texture_matrix>(), slot, generation, value)
+        .def("collect", &collect_frame, world, view, alpha, points,
+             "The frame at alpha (0..1) between the last two steps; good until the next one.")
+        .def("debug", &debug_frame, world, view, alpha, points, nb::arg("colours"), nb::arg("velocities"),
+             "Put the debug view on top of the collected frame; how many bodies, sleepers and contacts there are.")
+        .def(
+            "arrow",
+            [](SceneBox& box, float x1, float y1, float x2, float y2, float width, Rgba8 colour) {
+                arrow(overlay_of(box), {x1, y1}, {x2, y2}, width, colour);
+            },
+            nb::arg("x1"), nb::arg("y1"), nb::arg("x2"), nb::arg("y2"), nb::arg("width"), nb::arg("colour"))
+        .def(
+            "disc",
+            [](SceneBox& box, float x, float y, float radius, Rgba8 colour) {
+                disc(overlay_of(box), {x, y}, radius, colour);
+            },
+            nb::arg("x"), nb::arg("y"), nb::arg("radius"), nb::arg("colour"))
+        .def(
+            "box",
+            [](SceneBox& box, float left, float top, float right, float bottom, Rgba8 colour) {
+                draw::box(overlay_of(box), {left, top}, {right, bottom}, colour);
+            },
+            nb::arg("left"), nb::arg("top"), nb::arg("right"), nb::arg("bottom"), nb::arg("colour"))
+        .def("glyphs", &add_glyphs, nb::arg("boxes"), nb::arg("x"), nb::arg("y"), nb::arg("texture"), nb::arg("colour"),
+             "A row of textured boxes on top: eight float32 each, left top right bottom in pixels and in the texture.");
+}
+
+} // namespace evil::bind

@@ -1,0 +1,115 @@
+#include "draw/meshes.hpp"
+#include "shapes/polygon.hpp"
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace evil::draw {
+namespace {
+
+// FNV-1a: short, no tables, good enough to find equal corners; equality is checked in full.
+std::uint64_t hash_of(const Mesh& kind, std::span<const Vertex> corners) {
+    std::uint64_t hash = 14695981039346656037ull;
+    auto mix = [&](const void* data, std::size_t size) {
+        for (std::size_t i = 0; i < size; ++i)
+            hash = (hash ^ static_cast<const unsigned char*>(data)[i]) * 1099511628211ull;
+    };
+    mix(&kind.radius, sizeof kind.radius);
+    mix(corners.data(), corners.size_bytes());
+    return hash;
+}
+
+bool same_bytes(std::span<const Vertex> a, std::span<const Vertex> b) {
+    static_assert(sizeof(Vertex) == 20, "no padding: corners are compared and hashed byte by byte");
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+}
+
+// A circle is one vertex, its centre; a renderer adds the corners it wants.
+constexpr Vertex kCentre{{0, 0}, {0.5f, 0.5f}, 0xffffffffu};
+
+constexpr std::size_t kFewUnused = 4096; // below this, holes cost less than moving everything up
+
+} // namespace
+
+std::uint32_t Meshes::take_polygon(std::span<const Vertex> corners) {
+    Mesh kind;
+    kind.coloured_corners = std::ranges::any_of(corners, [](const Vertex& v) { return v.colour != 0xffffffffu; });
+    return take(kind, corners);
+}
+
+std::uint32_t Meshes::take_circle(float radius) {
+    Mesh kind;
+    kind.kind = MeshKind::circle;
+    kind.radius = radius;
+    return take(kind, {&kCentre, 1});
+}
+
+std::uint32_t Meshes::take(const Mesh& kind, std::span<const Vertex> corners) {
+    const std::uint64_t hash = hash_of(kind, corners);
+    for (auto [it, last] = by_content_.equal_range(hash); it != last; ++it) {
+        const Mesh& known = meshes_[it->second];
+        if (known.kind == kind.kind && known.radius == kind.radius &&
+            same_bytes(corners, std::span(vertices_).subspan(known.first_vertex, known.vertex_count))) {
+            ++uses_[it->second];
+            return it->second;
+        }
+    }
+
+    triangles_.clear();
+    if (kind.kind == MeshKind::polygon) {
+        outline_.clear();
+        for (const Vertex& v : corners) outline_.push_back(v.at);
+        triangulate(outline_, triangles_);
+    }
+    const std::uint32_t slot = slots_.take();
+    if (slot == meshes_.size()) {
+        meshes_.emplace_back();
+        uses_.push_back(0);
+    }
+    Mesh& mesh = meshes_[slot] = kind;
+    mesh.first_vertex = static_cast<std::uint32_t>(vertices_.size());
+    mesh.vertex_count = static_cast<std::uint32_t>(corners.size());
+    mesh.first_index = static_cast<std::uint32_t>(indices_.size());
+    mesh.index_count = static_cast<std::uint32_t>(triangles_.size());
+    vertices_.insert(vertices_.end(), corners.begin(), corners.end());
+    indices_.insert(indices_.end(), triangles_.begin(), triangles_.end());
+    by_content_.emplace(hash, slot);
+    uses_[slot] = 1;
+    ++revision_;
+    return slot;
+}
+
+void Meshes::release(std::uint32_t slot) {
+    if (--uses_[slot] > 0) return;
+    Mesh& mesh = meshes_[slot];
+    auto corners = std::span(std::as_const(vertices_)).subspan(mesh.first_vertex, mesh.vertex_count);
+    auto [it, last] = by_content_.equal_range(hash_of(mesh, corners));
+    it = std::find_if(it, last, [slot](const auto& entry) { return entry.second == slot; });
+    by_content_.erase(it);
+    unused_vertices_ += mesh.vertex_count;
+    mesh = Mesh{};
+    slots_.release(slot);
+    ++revision_;
+    if (unused_vertices_ > kFewUnused && 2 * unused_vertices_ > vertices_.size()) compact();
+}
+
+// Move what is used to the front. Meshes are not in the order of their vertices, so each is copied to new storage.
+void Meshes::compact() {
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t slot = 0; slot < meshes_.size(); ++slot) {
+        if (!slots_.taken(slot)) continue;
+        Mesh& mesh = meshes_[slot];
+        auto corners = std::span(vertices_).subspan(mesh.first_vertex, mesh.vertex_count);
+        auto triangles = std::span(indices_).subspan(mesh.first_index, mesh.index_count);
+        mesh.first_vertex = static_cast<std::uint32_t>(vertices.size());
+        mesh.first_index = static_cast<std::uint32_t>(indices.size());
+        vertices.insert(vertices.end(), corners.begin(), corners.end());
+        indices.insert(indices.end(), triangles.begin(), triangles.end());
+    }
+    vertices_ = std::move(vertices);
+    indices_ = std::move(indices);
+    unused_vertices_ = 0;
+}
+
+} // namespace evil::draw

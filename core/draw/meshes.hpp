@@ -1,0 +1,39 @@
+#pragma once
+// The shapes that drawings share. A mesh with the same corners is made once and lives as long as a drawing uses it.
+#include "draw/draw_list.hpp"
+#include "refs.hpp"
+#include <span>
+#include <unordered_map>
+
+namespace evil::draw {
+
+class Meshes {
+public:
+    // Each takes a use of the mesh, which is made when it is new. `corners`: a simple polygon, counter-clockwise.
+    std::uint32_t take_polygon(std::span<const Vertex> corners);
+    std::uint32_t take_circle(float radius);
+    void release(std::uint32_t mesh); // gives a use back; the last one frees the mesh
+
+    const std::vector<Vertex>& vertices() const { return vertices_; }
+    const std::vector<std::uint32_t>& indices() const { return indices_; }
+    const std::vector<Mesh>& meshes() const { return meshes_; } // a freed one has no vertices
+    std::uint32_t count() const { return slots_.count(); }
+    std::uint64_t revision() const { return revision_; } // changes whenever one of the three does
+
+private:
+    std::uint32_t take(const Mesh& kind, std::span<const Vertex> corners);
+    void compact();
+
+    std::vector<Vertex> vertices_;
+    std::vector<std::uint32_t> indices_;
+    std::vector<Mesh> meshes_;
+    Slots slots_;
+    std::vector<std::uint32_t> uses_;
+    std::unordered_multimap<std::uint64_t, std::uint32_t> by_content_; // looked up by key, never walked
+    std::vector<Vec2> outline_;                                        // scratch of triangulation
+    std::vector<std::uint32_t> triangles_;
+    std::size_t unused_vertices_ = 0; // left behind by freed meshes, until compact()
+    std::uint64_t revision_ = 0;
+};
+
+} // namespace evil::draw

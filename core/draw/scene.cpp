@@ -1,0 +1,112 @@
+#include "draw/scene.hpp"
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace evil::draw {
+namespace {
+
+bool is_finite(const Affine& m) {
+    return std::isfinite(m.a) && std::isfinite(m.b) && std::isfinite(m.c) && std::isfinite(m.d) &&
+           std::isfinite(m.tx) && std::isfinite(m.ty);
+}
+
+bool is_there(const Drawing& drawing, const Poses& poses, const Shapes& shapes) { // what it follows, if anything
+    const BodyRef body = drawing.body;
+    if (body.slot == kNone) return true;
+    if (body.slot >= poses.generation.size() || poses.generation[body.slot] != body.generation) return false;
+    return drawing.shape.slot == kNone || shapes.slots.alive(drawing.shape);
+}
+
+auto depth(const Drawing& drawing) { return std::tuple(drawing.layer, drawing.serial); }
+
+void drop(Scene& scene, std::uint32_t slot) {
+    scene.meshes.release(scene.drawings[slot].mesh);
+    scene.slots.release(slot);
+    scene.drawings[slot] = Drawing{};
+}
+
+// Mesh to world at `alpha`: drawing to shape, shape to body, body to world.
+Affine placed(const Drawing& drawing, const Poses& poses, const Shapes& shapes, float alpha) {
+    const std::uint32_t body = drawing.body.slot;
+    if (body == kNone) return drawing.local;
+    const Vec2 scale = poses.scale[body];
+    Affine to_body{scale.x, 0, 0, scale.y, 0, 0};
+    if (drawing.shape.slot != kNone) to_body = definition_to_body(shapes.rows[drawing.shape.slot], scale);
+    return compose(affine(between(poses.previous[body], poses.present[body], alpha)), compose(to_body, drawing.local));
+}
+
+} // namespace
+
+Pose between(const Pose& a, const Pose& b, float part) {
+    const float cosine = a.q.c * b.q.c + a.q.s * b.q.s, sine = a.q.c * b.q.s - a.q.s * b.q.c;
+    Rot q;
+    if (cosine > 0.9f) { // nearly the same way: the chord is the arc, to 1%
+        const Vec2 chord = normalised(lerp({a.q.c, a.q.s}, {b.q.c, b.q.s}, part));
+        q = {chord.x, chord.y};
+    } else {
+        const Rot turn = rotation(part * atan2(sine, cosine));
+        q = {a.q.c * turn.c - a.q.s * turn.s, a.q.s * turn.c + a.q.c * turn.s};
+    }
+    return {lerp(a.p, b.p, part), q};
+}
+
+DrawingRef add(Scene& scene, const Drawing& drawing) {
+    const std::uint32_t slot = scene.slots.take();
+    if (slot == scene.drawings.size()) scene.drawings.emplace_back();
+    Drawing& row = scene.drawings[slot] = drawing;
+    row.serial = scene.next_serial++;
+    const DrawingRef ref{slot, scene.slots.generation(slot)};
+    if (!scene.order.empty()) {
+        const DrawingRef last = scene.order.back();
+        if (!scene.slots.alive(last) || depth(scene.drawings[last.slot]) > depth(row)) scene.sorted = false;
+    }
+    scene.order.push_back(ref);
+    return ref;
+}
+
+void remove(Scene& scene, DrawingRef drawing) { drop(scene, drawing.slot); }
+
+void set_layer(Scene& scene, DrawingRef drawing, std::int32_t layer) {
+    Drawing& row = scene.drawings[drawing.slot];
+    if (row.layer == layer) return;
+    row.layer = layer;
+    scene.sorted = false;
+}
+
+void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affine& view, float alpha, float points,
+             DrawList& out) {
+    std::erase_if(scene.order, [&](DrawingRef ref) {
+        if (!scene.slots.alive(ref)) return true;
+        if (is_there(scene.drawings[ref.slot], poses, shapes)) return false;
+        drop(scene, ref.slot);
+        return true;
+    });
+    if (!scene.sorted)
+        std::ranges::sort(scene.order, {}, [&](DrawingRef ref) { return depth(scene.drawings[ref.slot]); });
+    scene.sorted = true;
+
+    if (scene.copied_meshes != scene.meshes.revision()) {
+        out.vertices = scene.meshes.vertices();
+        out.indices = scene.meshes.indices();
+        out.meshes = scene.meshes.meshes();
+        scene.copied_meshes = scene.meshes.revision();
+    }
+    out.vertices.resize(scene.meshes.vertices().size()); // what an overlay added last frame goes
+    out.indices.resize(scene.meshes.indices().size());
+    out.meshes.resize(scene.meshes.meshes().size());
+    out.instances.clear();
+
+    for (const DrawingRef ref : scene.order) {
+        const Drawing& drawing = scene.drawings[ref.slot];
+        if (!drawing.visible) continue;
+        const Affine to_pixel = compose(view, placed(drawing, poses, shapes, alpha));
+        if (!is_finite(to_pixel)) continue; // too far away for a float; nothing of it would be on the picture
+        out.instances.push_back({to_pixel, drawing.texture_matrix, drawing.mesh, drawing.texture, drawing.tint, 0.0f});
+        if (drawing.edge_width > 0.0f)
+            out.instances.push_back(
+                {to_pixel, {}, drawing.mesh, kNoTexture, drawing.edge, drawing.edge_width * points});
+    }
+}
+
+} // namespace evil::draw

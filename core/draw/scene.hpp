@@ -1,0 +1,52 @@
+#pragma once
+// What is drawn (SPEC A5, G13): drawings that follow a body or stand by themselves, in layers.
+#include "draw/draw_list.hpp"
+#include "draw/meshes.hpp"
+#include "published.hpp"
+#include "shapes/shapes.hpp"
+
+namespace evil::draw {
+
+using DrawingRef = Ref<struct DrawingTag>;
+
+struct Drawing {
+    BodyRef body;           // slot kNone: stands by itself
+    ShapeRef shape;         // of that body, whose matrix it follows too (SPEC P4); slot kNone: no shape
+    Affine local;           // mesh to shape, to body, or to world
+    Affine texture_matrix;  // applied to the texture coordinates
+    std::uint32_t mesh = 0; // of Scene::meshes; the drawing owns one use
+    std::uint32_t texture = kNoTexture;
+    Rgba8 tint = 0xffffffffu;
+    Rgba8 edge = 0;          // colour of a line round the shape
+    float edge_width = 0.0f; // logical points; 0: no such line
+    std::int32_t layer = 0;  // higher is nearer
+    bool visible = true;
+    bool lit = false;
+    std::uint64_t serial = 0; // order of creation, never used again
+};
+
+struct Scene { // State
+    Meshes meshes;
+    Slots slots;
+    std::vector<Drawing> drawings; // by slot
+    std::vector<DrawingRef> order; // back to front; removed ones leave at the next collect()
+    bool sorted = true;            // `order` follows layer and serial
+    std::uint64_t next_serial = 0;
+    std::uint64_t copied_meshes = ~0ull; // revision of the meshes that the list given to collect() has
+};
+
+// The drawing takes over one use of its mesh. Serial is given here.
+DrawingRef add(Scene& scene, const Drawing& drawing);
+void remove(Scene& scene, DrawingRef drawing); // must be alive
+void set_layer(Scene& scene, DrawingRef drawing, std::int32_t layer);
+
+// One frame: where things are at `alpha` (0..1) between the last two steps, seen through `view` (world to pixels).
+// Drawings whose body or shape is gone are removed. `points`: pixels of a logical point. `out` must be the same list every time: meshes
+// are copied into it only when they changed. No allocation once the vectors have grown.
+void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affine& view, float alpha, float points,
+             DrawList& out);
+
+// The pose part of the way (0..1) from a to b, turning the shorter way round.
+Pose between(const Pose& a, const Pose& b, float part);
+
+} // namespace evil::draw

@@ -1,0 +1,237 @@
+"""Scene: everything that is drawn, and the list of it that a renderer gets each frame."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any, TypeAlias
+
+from evilengine import _core
+from evilengine.scene.camera import Camera
+from evilengine.scene.debug import DebugView
+from evilengine.scene.drawing import Drawing, placement, to_layer, to_matrix6
+from evilengine.scene.drawn_body import DrawnBody, show
+from evilengine.scene.text import Fonts, Text
+from evilengine.values.checks import known_keywords, number
+from evilengine.values.colour import BACKGROUND, PALETTE, STONE, WHITE, Colour, ColourLike, to_colour
+from evilengine.values.drawlist import DrawList
+from evilengine.values.errors import ArgumentError, ArgumentTypeError
+from evilengine.values.vec2 import Point
+from evilengine.world.body import Body, Shape
+from evilengine.world.shapes import Circle, PolygonLike, ShapeDefinition, to_shape
+from evilengine.world.world import World
+
+Textures: TypeAlias = Callable[[str], int]
+"""Gives the texture id for an image's name, or raises AssetError; it keeps what it loaded."""
+
+SPECK = 0.05  # metres: how large a particle is drawn, which has no size of its own
+
+
+class Scene:
+    """What of `world` is drawn, and what is drawn beside it: layers, a background colour, text, the debug view.
+
+    `textures` turns an image's name into a texture id, and `fonts` a height in pixels into a font; a game gives both.
+
+    >>> world = evil.World(); scene = Scene(world)
+    >>> crate = world.add(evil.Rectangle(1, 1), at=(0, 4))
+    >>> drawing = scene.add(crate.shapes[0], colour="orange")
+    >>> drawing.layer = 3
+    >>> frame = scene.collect(Camera((960, 540)))
+    >>> frame.size, len(scene)
+    ((960, 540), 1)
+    """
+
+    @known_keywords
+    def __init__(
+        self,
+        world: World,
+        *,
+        textures: Textures | None = None,
+        fonts: Fonts | None = None,
+        background: ColourLike = BACKGROUND,
+    ) -> None:
+        if not isinstance(world, World):
+            raise ArgumentTypeError(f"Scene: world={world!r} must be a World")
+        self.world = world
+        self.debug = False
+        """Is the debug view drawn over the world?"""
+        self.debug_view = DebugView()
+        self._core = _core.Scene()
+        self._textures = textures
+        self._fonts = fonts
+        self._texts: list[Text] = []
+        self._from_palette = 0  # how many drawings took a colour of the palette
+        self.background = background
+        show(world, self)
+
+    def __len__(self) -> int:
+        """How many drawings there are. Those of a body that was destroyed count until the next frame."""
+        return len(self._core)
+
+    @property
+    def background(self) -> Colour:
+        """The colour behind everything."""
+        return self._background
+
+    @background.setter
+    def background(self, value: ColourLike) -> None:
+        self._background = to_colour(value, "Scene", "background").with_alpha(1.0)
+
+    @known_keywords
+    def add(
+        self,
+        shape: ShapeDefinition | Shape,
+        *,
+        body: Body | None = None,
+        at: Point = (0.0, 0.0),
+        angle: float = 0.0,
+        matrix: Iterable[float] | None = None,
+        colour: ColourLike | None = None,
+        colours: Sequence[ColourLike] | None = None,
+        texture: str | None = None,
+        texture_points: Sequence[Point] | None = None,
+        texture_matrix: Iterable[float] | None = None,
+        outline: bool | None = None,
+        layer: int = 0,
+        visible: bool = True,
+        lit: bool = False,
+    ) -> Drawing:
+        """Draw `shape` from now on: on `body`, or on a body's Shape itself, or by itself in the world.
+
+        `at` and `angle`, or a 4x4 `matrix`, place it there. `colour` tints all of it, and `colours` each of
+        `shape.corners`. The image `texture` spreads over the shape's bounding box unless `texture_points` says which
+        point of it (0..1 from its top left) lies on each corner; `texture_matrix` moves those points. `outline` is a
+        thin darker line round it. What is given neither colour nor texture takes a colour of the palette and, if it can
+        move, an outline. Higher layers lie over lower ones; within one, what was made later is on top.
+
+        Raises ArgumentError, ArgumentTypeError or AssetError, and draws nothing then.
+        """
+        owner = "Scene.add"
+        shape, body = self._what(shape, body)
+        place = placement(at, angle, owner) if matrix is None else to_matrix6(matrix, owner, "matrix")
+        plain = colour is None and colours is None and texture is None
+        tint = self._palette_colour(body) if plain else WHITE if colour is None else to_colour(colour, owner, "colour")
+        corner_colours = None if colours is None else [to_colour(one, owner, "colours").rgba8 for one in colours]
+        image = self.texture_id(texture, owner)
+        image_place = None if texture_matrix is None else to_matrix6(texture_matrix, owner, "texture_matrix")
+        layer = to_layer(layer, owner)
+
+        core = self._core
+        handle = self._add_mesh(shape, body, texture_points, corner_colours)
+        core.set_matrix(*handle, place)
+        core.set_tint(*handle, tint.rgba8)
+        core.set_texture(*handle, image)
+        core.set_layer(*handle, layer)
+        core.set_visible(*handle, bool(visible))
+        core.set_lit(*handle, bool(lit))
+        if image_place is not None:
+            core.set_texture_matrix(*handle, image_place)
+        drawing = Drawing(self, handle, body, shape)
+        drawing._texture = texture
+        moves = body is None or body.kind != "static"
+        drawing.outline = plain and moves if outline is None else outline
+        self._from_palette += plain and moves
+        if isinstance(body, DrawnBody):
+            body._drawings.append(drawing)
+        return drawing
+
+    @known_keywords
+    def text(
+        self,
+        text: object,
+        *,
+        at: Point = (16.0, 12.0),
+        size: float = 18.0,
+        colour: ColourLike = "white",
+        anchor: str = "top left",
+        visible: bool = True,
+    ) -> Text:
+        """Put a line of text on the screen; see Text. `at` and `size` are logical points."""
+        if self._fonts is None:
+            raise ArgumentError("Scene.text: this scene was given no fonts; Scene(fonts=...) takes them")
+        line = Text(text, at, size, colour, anchor, visible)
+        self._texts.append(line)
+        return line
+
+    def collect(
+        self,
+        camera: Camera,
+        alpha: float = 1.0,
+        pixel_size: tuple[int, int] | None = None,
+        scale: float | None = None,
+    ) -> DrawList:
+        """The frame at `alpha` (0..1) between the last two steps, for a picture of `pixel_size` real pixels.
+
+        `scale` is how many of them a logical point is long; without it, what the screen shows fits the picture. The
+        list is good until the next `collect`.
+        """
+        width, height = (round(each) for each in (camera.size if pixel_size is None else pixel_size))
+        number(width, "Scene.collect", "pixel_size", least=1)
+        number(height, "Scene.collect", "pixel_size", least=1)
+        screen = (width, height)
+        if scale is None:
+            scale = min(width / camera.size[0], height / camera.size[1])
+        view = camera.matrix(screen, scale)
+        content = self._core.collect(self.world._core, view, alpha, scale)
+        if self.debug:
+            self.debug_view.draw(self._core, self.world, self._fonts, view, alpha, screen, scale)
+        self._texts = [text for text in self._texts if text.alive]
+        for text in self._texts:
+            if text.visible and self._fonts is not None:
+                text.draw(self._core, self._fonts, screen, scale)
+        return DrawList(screen, self._background.rgba8, content)
+
+    def texture_id(self, name: str | None, owner: str) -> int:
+        """The texture id of the image called `name`; 0 for None. Raises AssetError for an image that cannot be had."""
+        if name is None:
+            return 0
+        if not isinstance(name, str):
+            raise ArgumentTypeError(f"{owner}: texture={name!r} must be the name of an image, such as 'crate.png'")
+        if self._textures is None:
+            raise ArgumentError(
+                f"{owner}: texture={name!r}: this scene was given no images; Scene(textures=...) takes them"
+            )
+        return self._textures(name)
+
+    def _what(self, shape: Any, body: Any) -> tuple[ShapeDefinition | Shape, Body | None]:
+        """What `add` shall show, and the body that it is on."""
+        if body is not None and not isinstance(body, Body):
+            raise ArgumentTypeError(f"Scene.add: body={body!r} must be a Body, or None to stand by itself")
+        if not isinstance(shape, Shape):
+            shape = to_shape(shape, "Scene.add")
+        elif body is not None and shape.body != body:
+            raise ArgumentError(f"Scene.add: shape={shape!r} is on another body than body={body!r}; leave body out")
+        else:
+            body = shape.body
+        if body is not None:
+            body._require()
+            if body.world is not self.world:
+                raise ArgumentError(f"Scene.add: {body!r} lives in another world than the one that this scene shows")
+        return shape, body
+
+    def _add_mesh(
+        self,
+        shape: ShapeDefinition | Shape,
+        body: Body | None,
+        texture_points: Sequence[Point] | None,
+        colours: Sequence[int] | None,
+    ) -> tuple[int, int]:
+        round_or_speck = (
+            shape.outline[0] != "polygon" if isinstance(shape, Shape) else not isinstance(shape, PolygonLike)
+        )
+        if round_or_speck and (colours is not None or texture_points is not None):
+            word = "colours" if colours is not None else "texture_points"
+            raise ArgumentError(f"Scene.add: {word} are one for each corner, and {shape!r} has none")
+        if isinstance(shape, Shape):
+            return self._core.add_shape(self.world._core, shape.slot, SPECK, texture_points, colours)
+        follows = None if body is None else (body.slot, body.generation)
+        if isinstance(shape, PolygonLike):
+            return self._core.add_polygon(shape.corners, follows, texture_points, colours)
+        return self._core.add_circle(shape.radius if isinstance(shape, Circle) else SPECK, follows)
+
+    def _palette_colour(self, body: Body | None) -> Colour:
+        """The next colour; a body with several shapes has one, and what stands still is of stone."""
+        if body is not None and body.kind == "static":
+            return STONE
+        if isinstance(body, DrawnBody) and body.drawings:
+            return body.drawings[0].colour
+        return PALETTE[self._from_palette % len(PALETTE)]
