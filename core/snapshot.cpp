@@ -391,6 +391,7 @@ ReadSnapshot read_snapshot(std::span<const std::uint8_t> bytes) {
     bool whole = ar.ok && shapes_hold_together(*state) && bodies_hold_together(*state) &&
                  forces_hold_together(*state) && contacts_hold_together(*state);
     if (!whole) return {nullptr, SnapshotProblem::inconsistent};
+    for (Contact& c : state->contacts.rows) c.fresh = false;
     rebuild_pieces(*state);
     return {state, SnapshotProblem::none};
 }

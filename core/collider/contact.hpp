@@ -31,6 +31,7 @@ struct Contact {
     std::uint32_t shape_a = 0, shape_b = 0, body_a = 0, body_b = 0;
     Axis axis;
     std::uint8_t count = 0; // points in the manifold
+    bool fresh = true;      // found in this step; not saved, since no step leaves one so
     bool touching = false;  // they overlapped, or pushed each other, in the last step
     Vec2 normal;            // world, from a to b
     float friction = 0.0f, restitution = 0.0f;

@@ -23,6 +23,9 @@ float margin_of(const Piece& p, const Piece& q, const Body& a, const Body& b, fl
     return kMargin + std::min(path, 0.5f * std::min(p.reach, q.reach));
 }
 
+// Whatever moves a body by hand wakes those it has contacts with.
+bool at_rest(const Body& b) { return b.kind == BodyKind::fixed || (b.kind == BodyKind::dynamic && !b.awake); }
+
 void take_over(Contact& c, const ManifoldSketch& sketch, const Body& a, const Body& b) {
     ManifoldPoint old[2] = {c.points[0], c.points[1]};
     std::uint8_t old_count = c.count;
@@ -113,6 +116,8 @@ void match_pairs(Contacts& contacts, const Shapes& shapes) {
 void update_manifolds(Contacts& contacts, const Shapes& shapes, const Bodies& bodies, float dt) {
     for (Contact& c : contacts.rows) {
         const Body &a = bodies.rows[c.body_a], &b = bodies.rows[c.body_b];
+        if (!c.fresh && at_rest(a) && at_rest(b)) continue; // nothing has changed between them
+        c.fresh = false;
         const Material &m = shapes.rows[c.shape_a].material, &n = shapes.rows[c.shape_b].material;
         c.friction = std::sqrt(m.friction * n.friction); // SPEC C5
         c.restitution = std::max(m.restitution, n.restitution);

@@ -159,7 +159,7 @@ class Body(_core.Body):
 
     @property
     def on_separate(self) -> Callbacks[...]:
-        """Decorator: call a function with the Contact when this body ceases to touch another (maybe a destroyed one)."""
+        """Decorator: call a function with the Contact when this body ceases to touch another (or a lost one)."""
         return self._callback("on_separate", "contact")
 
     @property
