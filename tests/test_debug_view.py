@@ -1,0 +1,184 @@
+"""The debug view shows what the physics sees, and touches nothing of it."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from stage import BLACK, BLUE, GREEN, RED, Stage
+
+import evilengine as evil
+
+WHITE, YELLOW, CYAN, MAGENTA = (255, 255, 255), (255, 255, 0), (0, 255, 255), (255, 0, 255)
+
+
+@pytest.fixture
+def stage() -> Stage:
+    """With the debug view on, in plain colours, over black."""
+    stage = Stage()
+    stage.camera.zoom = 0.5  # 8 x 4 metres, 25 pixels a metre
+    stage.scene.debug = True
+    view = stage.scene.debug_view
+    view.veil = "black"
+    view.legend = False
+    view.static, view.kinematic, view.awake, view.asleep = "blue", "magenta", "lime", "cyan"
+    view.contact, view.centre, view.velocity, view.gravity = "red", "white", "yellow", "yellow"
+    return stage
+
+
+def sees(stage: Stage, point: tuple[float, float], colour: tuple[int, int, int], reach: int = 1) -> bool:
+    """Is `colour`, or nearly, within `reach` pixels of a point of the world? A thin line seldom fills a pixel whole."""
+    pixels = stage.show()
+    column, row = (int(each) for each in stage.camera.to_pixel(point))
+    near = [(row + y, column + x) for y in range(-reach, reach + 1) for x in range(-reach, reach + 1)]
+    return any(all(abs(pixels[r, c, k] - colour[k]) <= 90 for k in range(3)) for r, c in near)
+
+
+def pixels_of(stage: Stage, colour: tuple[int, int, int]) -> int:
+    data = stage.show().tobytes()
+    return sum(data[i : i + 3] == bytes(colour) for i in range(0, len(data), 4))
+
+
+@pytest.mark.parametrize(("kind", "colour"), [("static", BLUE), ("kinematic", MAGENTA), ("dynamic", GREEN)])
+@pytest.mark.parametrize("shape", [evil.Rectangle(2, 2), evil.Circle(1), evil.Polygon([(1, -1), (1, 1), (-1, 0)])])
+def test_outlines_tell_the_kind_of_body(
+    stage: Stage, kind: str, colour: tuple[int, int, int], shape: evil.Circle | evil.Rectangle | evil.Polygon
+) -> None:
+    stage.add(shape, kind=kind, at=(-1, 0))
+    assert sees(stage, (0, 0), colour)
+    assert not sees(stage, (-0.55, 0.25), colour)  # inside
+    assert not sees(stage, (0.3, 0.8), colour)  # outside
+
+
+def test_bodies_that_fell_asleep_have_another_colour(stage: Stage) -> None:
+    stage.world.gravity = (0, -10)  # type: ignore[assignment]
+    stage.add(evil.Rectangle(6, 1), at=(0, -1.5), kind="static")
+    box = stage.add(evil.Rectangle(1, 1), at=(0, -0.5))
+    stage.world.step(1 / 60)
+    assert sees(stage, (0.2, 0), GREEN)
+    for _ in range(200):
+        stage.world.step(1 / 60)
+    assert not box.awake
+    assert sees(stage, (0.2, 0), CYAN)
+
+
+def test_every_shape_of_a_body_is_outlined_where_its_matrix_puts_it(stage: Stage) -> None:
+    body = stage.add(evil.Rectangle(1, 1), kind="static")
+    body.add_shape(evil.Circle(0.5), offset=(2, 0))
+    body.apply_matrix(evil.Mat4.scale(0.5, 0.5))
+    assert sees(stage, (0, 0.25), BLUE)
+    assert sees(stage, (1, 0.25), BLUE)
+
+
+def test_contacts_are_arrows_along_the_normal_from_the_first_body_to_the_second(stage: Stage) -> None:
+    floor = stage.add(evil.Rectangle(6, 1), at=(0, -1), kind="static")
+    ball = stage.add(evil.Circle(0.5), at=(0, -0.01))
+    stage.world.step(1 / 60)
+    (contact,) = stage.world.contacts.active
+    assert (contact.a, contact.b) == (floor, ball)
+    assert sees(stage, contact.point, RED)
+    stage.scene.debug_view.awake = "black"
+    assert sees(stage, (0, -0.5 + 0.4), RED)  # 10 points up: on the shaft
+    assert not sees(stage, (0, -0.5 - 0.4), RED)
+    assert not sees(stage, (0, 0.8), RED)
+
+
+def test_the_centre_of_mass_is_marked_not_the_origin(stage: Stage) -> None:
+    body = stage.add(evil.Polygon([(0, 0), (3, 0), (0, 3)]), at=(-1.5, -1.5))
+    assert math.dist(body.centre, (-0.5, -0.5)) < 1e-5
+    assert sees(stage, body.centre, WHITE, reach=0)
+    assert not sees(stage, body.position, WHITE, reach=0)
+    stage.add(evil.Circle(0.2), at=(2, 1), kind="static")
+    assert not sees(stage, (2, 1), WHITE)
+
+
+def test_velocities_are_shown_when_asked_for(stage: Stage) -> None:
+    stage.add(evil.Circle(0.2), at=(-3, 1), velocity=(20, 0))
+    assert not sees(stage, (-2, 1), YELLOW)
+    stage.scene.debug_view.velocities = True
+    assert sees(stage, (-2, 1), YELLOW)  # the arrow reaches as far as the body gets in a tenth of a second: 2 m
+    assert not sees(stage, (-0.8, 1), YELLOW)
+
+
+@pytest.mark.parametrize("angle", [0.0, math.pi / 2, 2.5])
+def test_the_gravity_arrow_points_where_things_fall_on_the_screen(stage: Stage, angle: float) -> None:
+    stage.camera.angle = angle
+    stage.world.gravity = (0, -9.81)  # type: ignore[assignment]
+    assert mean_of_head(stage) == pytest.approx((math.sin(-angle), math.cos(-angle)), abs=0.15)
+    stage.world.gravity = (9.81, 0)  # type: ignore[assignment]
+    assert mean_of_head(stage) == pytest.approx((math.cos(-angle), -math.sin(-angle)), abs=0.15)
+
+
+def mean_of_head(stage: Stage) -> tuple[float, float]:
+    """Direction, x right and y down, from the middle of the dial to the middle of the arrow, whose head is wide."""
+    pixels = stage.show()
+    height, width, _ = pixels.shape
+    found = [(x + 0.5, y + 0.5) for y in range(height) for x in range(width) if pixels[y, x, 0] > 200]
+    centre = (width - 42, 42)
+    x, y = (sum(p[i] for p in found) / len(found) - centre[i] for i in range(2))
+    return x / math.hypot(x, y), y / math.hypot(x, y)
+
+
+def test_without_gravity_there_is_no_arrow(stage: Stage) -> None:
+    assert pixels_of(stage, YELLOW) == 0
+
+
+def test_lines_are_as_thick_in_points_on_a_finer_screen(stage: Stage) -> None:
+    stage.add(evil.Rectangle(2, 2), at=(-1, 0), kind="static")
+    widths = []
+    for scale in (1, 3):
+        pixels = stage.show(size=(200 * scale, 100 * scale))
+        row = 50 * scale
+        light = sum(pixels[row, column, 2] for column in range(90 * scale, 110 * scale))
+        widths.append(light / 255)
+    assert widths[0] == pytest.approx(1.5, abs=0.3)
+    assert widths[1] == pytest.approx(4.5, abs=0.5)
+
+
+def test_the_legend_counts_and_needs_fonts(stage: Stage) -> None:
+    before = stage.show().tobytes()
+    stage.scene.debug_view.legend = True
+    assert stage.show().tobytes() != before
+    stage.scene._fonts = None
+    assert stage.show().tobytes() == before
+
+
+def test_when_it_is_off_nothing_of_it_is_left(stage: Stage) -> None:
+    stage.scene.debug = False
+    stage.add(evil.Rectangle(1, 1)).draw(colour="red")
+    stage.add(evil.Circle(1), at=(1, 0), kind="static")
+    stage.world.step()
+    picture, checksum = stage.show().tobytes(), stage.world.checksum()
+    content = stage.scene.collect(stage.camera).content
+    counts = (content.vertex_count, content.mesh_count, content.instance_count)
+    stage.scene.debug = stage.scene.debug_view.velocities = stage.scene.debug_view.legend = True
+    assert stage.show().tobytes() != picture
+    assert (len(stage.scene), stage.scene._core.mesh_count) == (1, 1)
+    stage.scene.debug = False
+    assert stage.show().tobytes() == picture
+    assert (content.vertex_count, content.mesh_count, content.instance_count) == counts
+    assert stage.world.checksum() == checksum
+
+
+def test_it_lies_over_the_drawings_and_under_the_text(stage: Stage) -> None:
+    stage.add(evil.Rectangle(8, 4), kind="static").draw(colour="red", layer=9)
+    stage.scene.text("a", at=(0, 0), size=20)
+    assert stage.at(1, 0) == BLACK  # the veil
+    assert stage.show()[10, 5, 1] == 255
+
+
+def test_a_misspelt_colour_is_named_when_it_is_drawn(stage: Stage) -> None:
+    stage.scene.debug_view.awake = "gren"
+    with pytest.raises(evil.ArgumentError, match="did you mean 'green'"):
+        stage.show()
+
+
+def test_bodies_at_the_edge_of_the_world_do_no_harm(stage: Stage) -> None:
+    stage.scene.debug_view.velocities = True
+    stage.add(evil.Circle(1e5), at=(1e7, 0), velocity=(1e5, 1e5))
+    stage.add(evil.Rectangle(1e5, 1e-4), at=(0, -9e6))
+    stage.add(evil.Particle(), at=(0, 0))
+    for zoom in (1e-6, 1.0, 1e6):
+        stage.camera.zoom = zoom
+        stage.world.step()
+        stage.show()
