@@ -2,6 +2,7 @@
 // ones by hand, for tests and tools. Every index is checked on the way in, so that a renderer need not trust its caller.
 #include "draw/draw_list.hpp"
 #include "bind/convert.hpp"
+#include "shapes/polygon.hpp"
 #include <limits>
 
 namespace evil::bind {
@@ -9,7 +10,7 @@ namespace {
 
 using draw::DrawList;
 
-constexpr std::size_t kMaxCorners = 1u << 20;
+constexpr std::size_t kMostCorners = 1u << 20;
 
 [[noreturn]] void refuse(const char* method, const std::string& what) {
     raise(ErrorKind::argument, std::string("DrawList.") + method + ": " + what);
@@ -61,24 +62,27 @@ void spread_uvs(std::vector<draw::Vertex>& corners) {
                      size.y > 0 ? (high.y - corner.at.y) / size.y : 0.0f};
 }
 
-std::vector<std::uint32_t> to_triangles(nb::handle value, std::size_t corners) {
+// Corner numbers of triangles as given, or found here. A polygon that crosses itself has none: it is drawn flat.
+std::vector<std::uint32_t> to_triangles(nb::handle value, std::span<const draw::Vertex> corners) {
     std::vector<std::uint32_t> triangles;
     if (value.is_none()) {
-        for (std::uint32_t i = 1; i + 1 < corners; ++i) triangles.insert(triangles.end(), {0u, i, i + 1});
+        std::vector<Vec2> points;
+        for (const draw::Vertex& corner : corners) points.push_back(corner.at);
+        if (points.size() > kMaxCorners || !triangulate(points, triangles)) triangles.clear();
         return triangles;
     }
     std::size_t count = length_of(value, "polygon", "triangles");
-    if (count % 3 != 0 || count > 3 * kMaxCorners) refuse("polygon", "triangles must hold three indices each");
+    if (count % 3 != 0 || count > 3 * kMostCorners) refuse("polygon", "triangles must hold three indices each");
     for (std::size_t i = 0; i < count; ++i) {
         triangles.push_back(to_unsigned<std::uint32_t>(item(value, i), "polygon", "triangles"));
-        if (triangles.back() >= corners) refuse("polygon", "triangles must index the points");
+        if (triangles.back() >= corners.size()) refuse("polygon", "triangles must index the points");
     }
     return triangles;
 }
 
 std::uint32_t polygon(DrawList& list, nb::handle points, nb::handle uvs, nb::handle colours, nb::handle triangles) {
     std::size_t count = length_of(points, "polygon", "points");
-    if (count < 3 || count > kMaxCorners)
+    if (count < 3 || count > kMostCorners)
         refuse("polygon", "points must be at least 3 and at most 2**20, got " + std::to_string(count));
     std::vector<draw::Vertex> corners(count);
     for (std::size_t i = 0; i < count; ++i) corners[i].at = to_vec2(item(points, i), "DrawList.polygon", "points");
@@ -92,7 +96,7 @@ std::uint32_t polygon(DrawList& list, nb::handle points, nb::handle uvs, nb::han
         for (std::size_t i = 0; i < count; ++i)
             corners[i].colour = to_unsigned<draw::Rgba8>(item(colours, i), "polygon", "colours");
     }
-    return draw::add_polygon(list, corners, to_triangles(triangles, count));
+    return draw::add_polygon(list, corners, to_triangles(triangles, corners));
 }
 
 std::uint32_t circle(DrawList& list, nb::handle radius, nb::handle at, nb::handle colour) {

@@ -12,10 +12,14 @@ struct Fixed {
     int x, y;
 };
 
+std::int32_t add(std::int32_t a, std::int32_t b) { // wraps round: thousands of windings must not be undefined
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
+}
+
 // The part of one edge inside one row, in pixel x..x+1: `height` is signed, x0 and x1 are where it enters and leaves.
 void add_cell(std::int32_t* cells, std::uint64_t* touched, int cell, int height, int x0_plus_x1) {
-    cells[cell] += height * (2 * kOne - x0_plus_x1);
-    cells[cell + 1] += height * x0_plus_x1;
+    cells[cell] = add(cells[cell], height * (2 * kOne - x0_plus_x1));
+    cells[cell + 1] = add(cells[cell + 1], height * x0_plus_x1);
     const int first = cell / kBlock, second = (cell + 1) / kBlock;
     touched[first / 64] |= std::uint64_t{1} << (first % 64);
     touched[second / 64] |= std::uint64_t{1} << (second % 64);
@@ -55,12 +59,12 @@ void add_line(Coverage& coverage, Fixed a, Fixed b, int sign) {
     std::int32_t* cells = coverage.cells.data() + static_cast<std::size_t>(row) * coverage.stride;
     std::uint64_t* touched = coverage.touched.data() + static_cast<std::size_t>(row) * coverage.words;
     // Position at the end of each row: floor of (b.x - a.x) * y / height, with its remainder carried along.
-    const std::int64_t run = b.x - a.x;
-    auto floor_divide = [height](std::int64_t n, int& remainder) {
-        std::int64_t quotient = n / height, rest = n % height;
-        if (rest < 0) --quotient, rest += height;
-        remainder = static_cast<int>(rest);
-        return static_cast<int>(quotient);
+    const int run = b.x - a.x; // at most kMaxSide * 256: times 256 it still fits
+    auto floor_divide = [height](int n, int& remainder) {
+        int quotient = n / height;
+        remainder = n % height;
+        if (remainder < 0) --quotient, remainder += height;
+        return quotient;
     };
     int remainder = 0, step_remainder = 0;
     const int step = floor_divide(run * kOne, step_remainder);
@@ -84,8 +88,8 @@ void add_line(Coverage& coverage, Fixed a, Fixed b, int sign) {
     }
 }
 
-int to_fixed(double value, int limit) {
-    return static_cast<int>(std::clamp(std::floor(value * kOne + 0.5), 0.0, static_cast<double>(limit) * kOne));
+int to_fixed(double value, int limit) { // rounded; clamped to 0..limit pixels
+    return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(limit)) * kOne + 0.5);
 }
 
 // Cuts an edge to the box. What lies left of it still covers the pixels to its right, so it is pushed onto the left side;
@@ -102,6 +106,10 @@ void add_edge(Coverage& coverage, Point a, Point b) {
     if (a.y > b.y) std::swap(a, b), sign = -1; // so that an edge shared by two shapes is cut and rounded alike in both
     const int width = coverage.box.right - coverage.box.left, height = coverage.box.bottom - coverage.box.top;
     if (b.y <= 0 || a.y >= height || !(a.y < b.y)) return;
+    if (a.x >= width && b.x >= width) return;
+    if (a.y >= 0 && b.y <= height && std::min(a.x, b.x) >= 0 && std::max(a.x, b.x) <= width)
+        return add_line(coverage, {to_fixed(a.x, width), to_fixed(a.y, height)},
+                        {to_fixed(b.x, width), to_fixed(b.y, height)}, sign);
     const double slope = (b.x - a.x) / (b.y - a.y);
     auto x_at = [&](double y) { return std::clamp(a.x + slope * (y - a.y), std::min(a.x, b.x), std::max(a.x, b.x)); };
     Point p = a, q = b;

@@ -5,10 +5,7 @@
 namespace evil::raster {
 namespace {
 
-struct Corner { // of a triangle: where it lies in pixels and what it carries
-    double x, y, u, v;
-    double channel[4];
-};
+using Corner = PaintCorner;
 
 // Straight colours a and b multiplied: r, g, b, a in 0..255 times alpha.
 void multiply_colours(draw::Rgba8 a, draw::Rgba8 b, double channel[4]) {
@@ -133,8 +130,8 @@ bool largest_piece(Piece& piece, std::span<const Corner> corners, std::span<cons
 
 void prepare_polygon(Paint& paint, std::span<const draw::Vertex> vertices, std::span<const std::uint32_t> triangles,
                      const draw::Instance& instance, const Texture* texture) {
-    std::vector<Corner> corners;
-    corners.reserve(vertices.size());
+    std::vector<Corner>& corners = paint.corners;
+    corners.clear();
     for (const draw::Vertex& vertex : vertices)
         corners.push_back(corner_at(instance, vertex.at, vertex.uv, vertex.colour));
     if (texture) paint.repeat = std::ranges::any_of(corners, [](const Corner& c) { return outside_picture(c.u, c.v); });

@@ -21,13 +21,19 @@ struct Piece {
     const Picture* picture = nullptr;
 };
 
+struct PaintCorner { // of a mesh: where it lies in pixels and what it carries
+    double x, y, u, v;
+    double channel[4];
+};
+
 struct Paint {
     Pixel flat = 0; // the colour, or what the picture is multiplied with
     bool textured = false, repeat = false;
     bool coloured = false; // channels take the place of `flat`
     std::vector<Piece> pieces;
 
-    struct Run { // scratch: pixels first..last of a row belong to a piece
+    std::vector<PaintCorner> corners; // scratch
+    struct Run {                      // scratch: pixels first..last of a row belong to a piece
         double first, last;
         const Piece* piece;
     };

@@ -7,7 +7,7 @@ namespace evil::raster {
 namespace {
 
 // Untouched blocks in a row between two touched ones from which on the run between is worth a call of its own.
-constexpr int kGap = 6;
+constexpr int kGap = 2;
 constexpr double kFarthest = 1e15; // pixels; beyond, a double no longer knows where in a pixel it is
 
 bool is_sound(const draw::DrawList& list, const draw::Mesh& mesh) {
@@ -48,36 +48,37 @@ int cover_of(std::int32_t sum) { // as integrate() does for each pixel
     return static_cast<int>((area * 255 + kFullCell / 2) >> 17);
 }
 
-// Draws runs of one row with a paint.
+// Draws runs of one row with a paint. The row's colours are worked out once, from its first run on.
 struct Brush {
     Paint& paint;
     Set set;
-    std::vector<Pixel>& row;
-    Pixel* line; // the target's row
-    int y;
+    Pixel* line;    // the target's row
+    Pixel* row;     // the paint's colours
+    int y, right;   // where the row's last run ends
+    int start = -1; // where the first one did
 
-    const Pixel* colours(int left, int right) {
-        paint_row(paint, set, y, left, right, row.data());
-        return row.data();
+    const Pixel* colours(int left) {
+        if (start < 0) start = left, paint_row(paint, set, y, left, right, row);
+        return row + (left - start);
     }
-    void masked(int left, int right, const std::uint8_t* mask) {
+    void masked(int left, int end, const std::int32_t* mask) {
         if (is_flat(paint))
-            blend_flat(set, line + left, mask, right - left, paint.flat);
+            blend_flat(set, line + left, mask, end - left, paint.flat);
         else
-            blend_row(set, line + left, colours(left, right), mask, right - left);
+            blend_row(set, line + left, colours(left), mask, end - left);
     }
-    void solid(int left, int right, int cover) {
-        if (!is_flat(paint)) return blend_row(set, line + left, colours(left, right), right - left, cover);
-        const Pixel colour = scale_pixel(paint.flat, cover);
+    void solid(int left, int end, int cover) {
+        if (!is_flat(paint)) return blend_row(set, line + left, colours(left), end - left, cover);
+        const Pixel colour = cover == 255 ? paint.flat : scale_pixel(paint.flat, cover);
         if (colour >> 24 == 255)
-            fill(set, line + left, right - left, colour);
+            fill(set, line + left, end - left, colour);
         else
-            blend_flat(set, line + left, right - left, colour);
+            blend_flat(set, line + left, end - left, colour);
     }
 };
 
 // Turns one row's cells into runs and draws them. Leaves the cells zero.
-void draw_row(Coverage& coverage, int row, Brush& brush, std::uint8_t* mask) {
+void draw_row(Coverage& coverage, int row, Brush& brush, std::int32_t* mask) {
     std::uint64_t* touched = coverage.touched.data() + static_cast<std::size_t>(row) * coverage.words;
     std::int32_t* cells = coverage.cells.data() + static_cast<std::size_t>(row) * coverage.stride;
     const int width = coverage.box.right - coverage.box.left, left = coverage.box.left;
@@ -115,7 +116,7 @@ void draw_instance(const draw::DrawList& list, const draw::Instance& instance, c
     }
     prepare(scratch.paint, list, mesh, instance, texture);
     for (int y = box.top; y < box.bottom; ++y) {
-        Brush brush{scratch.paint, set, scratch.row, row_of(target, y), y};
+        Brush brush{scratch.paint, set, row_of(target, y), scratch.row.data(), y, box.right};
         draw_row(scratch.coverage, y - box.top, brush, scratch.mask.data());
     }
 }

@@ -17,7 +17,7 @@ struct Scratch { // losing it changes nothing
     Coverage coverage;
     Loops loops;
     Paint paint;
-    std::vector<std::uint8_t> mask;
+    std::vector<std::int32_t> mask;
     std::vector<Pixel> row;
 };
 

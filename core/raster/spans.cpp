@@ -9,7 +9,7 @@ void blend_flat(Set set, Pixel* to, int count, Pixel colour) noexcept {
     EVIL_PICK(set, blend_flat_wide)(to, count, colour);
 }
 
-void blend_flat(Set set, Pixel* to, const std::uint8_t* mask, int count, Pixel colour) noexcept {
+void blend_flat(Set set, Pixel* to, const std::int32_t* mask, int count, Pixel colour) noexcept {
     EVIL_PICK(set, blend_flat_masked_wide)(to, mask, count, colour);
 }
 
@@ -17,11 +17,11 @@ void blend_row(Set set, Pixel* to, const Pixel* from, int count, int cover) noex
     EVIL_PICK(set, blend_row_wide)(to, from, count, cover);
 }
 
-void blend_row(Set set, Pixel* to, const Pixel* from, const std::uint8_t* mask, int count) noexcept {
+void blend_row(Set set, Pixel* to, const Pixel* from, const std::int32_t* mask, int count) noexcept {
     EVIL_PICK(set, blend_row_masked_wide)(to, from, mask, count);
 }
 
-std::int32_t integrate(Set set, std::int32_t* cells, int count, std::int32_t sum, std::uint8_t* mask) noexcept {
+std::int32_t integrate(Set set, std::int32_t* cells, int count, std::int32_t sum, std::int32_t* mask) noexcept {
     return EVIL_PICK(set, integrate_wide)(cells, count, sum, mask);
 }
 

@@ -27,12 +27,12 @@ using Set = InstructionSet;
 
 void fill(Set set, Pixel* to, int count, Pixel colour) noexcept;
 void blend_flat(Set set, Pixel* to, int count, Pixel colour) noexcept;
-void blend_flat(Set set, Pixel* to, const std::uint8_t* mask, int count, Pixel colour) noexcept;
+void blend_flat(Set set, Pixel* to, const std::int32_t* mask, int count, Pixel colour) noexcept;
 void blend_row(Set set, Pixel* to, const Pixel* from, int count, int cover) noexcept; // cover 0..255
-void blend_row(Set set, Pixel* to, const Pixel* from, const std::uint8_t* mask, int count) noexcept;
+void blend_row(Set set, Pixel* to, const Pixel* from, const std::int32_t* mask, int count) noexcept;
 
 // Running sum of `count` cells, a multiple of eight, from `sum` on: 0..255 to mask. Clears the cells; returns the new sum.
-std::int32_t integrate(Set set, std::int32_t* cells, int count, std::int32_t sum, std::uint8_t* mask) noexcept;
+std::int32_t integrate(Set set, std::int32_t* cells, int count, std::int32_t sum, std::int32_t* mask) noexcept;
 
 // These write in eights: `to` must have room for `count` rounded up.
 void ramp(Set set, Pixel* to, int count, const Ramp& colours) noexcept;

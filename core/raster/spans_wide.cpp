@@ -65,6 +65,40 @@ EVIL_INLINE Taps taps(Ints position, Ints size, bool repeat) {
     return {min(max(at, Ints(0)), last), min(max(at + 1, Ints(0)), last), shift_right_unsigned(position, 8) & 255};
 }
 
+// Lane i becomes the sum of lanes 0..i.
+EVIL_INLINE Ints running_sum(Ints a) {
+#if EVIL_WIDTH == 8
+    const native::U zero{};
+    native::U v = (native::U)a.part[0];
+    v += __builtin_shufflevector(zero, v, 0, 8, 9, 10, 11, 12, 13, 14);
+    v += __builtin_shufflevector(zero, v, 0, 1, 8, 9, 10, 11, 12, 13);
+    v += __builtin_shufflevector(zero, v, 0, 1, 2, 3, 8, 9, 10, 11);
+    a.part[0] = (native::I)v;
+#elif EVIL_WIDTH == 4
+    const native::U zero{};
+    native::U sums[2];
+    for (int p = 0; p < 2; ++p) {
+        native::U v = (native::U)a.part[p];
+        v += __builtin_shufflevector(zero, v, 0, 4, 5, 6);
+        v += __builtin_shufflevector(zero, v, 0, 1, 4, 5);
+        sums[p] = v;
+    }
+    a.part[0] = (native::I)sums[0];
+    a.part[1] = (native::I)(sums[1] + __builtin_shufflevector(sums[0], sums[0], 3, 3, 3, 3));
+#else
+    native::U sum = 0;
+    for (native::I& p : a.part) p = (native::I)(sum += (native::U)p);
+#endif
+    return a;
+}
+EVIL_INLINE std::int32_t last_lane(Ints a) {
+#if EVIL_WIDTH == 1
+    return a.part[kLanes - 1];
+#else
+    return a.part[native::kParts - 1][EVIL_WIDTH - 1];
+#endif
+}
+
 EVIL_INLINE Ints sample_eight(const raster::Walk& walk, Ints u, Ints v) {
     const Ints width(walk.width), height(walk.height);
     Taps x = taps(u, width, walk.repeat), y = taps(v, height, walk.repeat);
@@ -119,11 +153,11 @@ void blend_flat_wide(Pixel* to, int count, Pixel colour) noexcept {
     for (int i = 0; i < count; i += 8) store_some(to + i, count - i, over(source, load_some(to + i, count - i)));
 }
 
-void blend_flat_masked_wide(Pixel* to, const std::uint8_t* mask, int count, Pixel colour) noexcept {
+void blend_flat_masked_wide(Pixel* to, const std::int32_t* mask, int count, Pixel colour) noexcept {
     Channels source = split(Ints(static_cast<std::int32_t>(colour)));
     for (int i = 0; i < count; i += 8) {
         Ints under = load_some(to + i, count - i);
-        store_some(to + i, count - i, over(multiply_255(source, load_bytes(mask + i)), under));
+        store_some(to + i, count - i, over(multiply_255(source, load(mask + i)), under));
     }
 }
 
@@ -136,28 +170,23 @@ void blend_row_wide(Pixel* to, const Pixel* from, int count, int cover) noexcept
     }
 }
 
-void blend_row_masked_wide(Pixel* to, const Pixel* from, const std::uint8_t* mask, int count) noexcept {
+void blend_row_masked_wide(Pixel* to, const Pixel* from, const std::int32_t* mask, int count) noexcept {
     for (int i = 0; i < count; i += 8) {
-        Channels source = multiply_255(split(load_some(from + i, count - i)), load_bytes(mask + i));
+        Channels source = multiply_255(split(load_some(from + i, count - i)), load(mask + i));
         store_some(to + i, count - i, over(source, load_some(to + i, count - i)));
     }
 }
 
-std::int32_t integrate_wide(std::int32_t* cells, int count, std::int32_t sum, std::uint8_t* mask) noexcept {
+std::int32_t integrate_wide(std::int32_t* cells, int count, std::int32_t sum, std::int32_t* mask) noexcept {
     constexpr std::int32_t kFull = 1 << 17; // raster::kFullCell
-    std::uint32_t running = static_cast<std::uint32_t>(sum);
     for (int i = 0; i < count; i += 8) {
-        std::int32_t sums[8];
-        for (int k = 0; k < 8; ++k) {
-            running += static_cast<std::uint32_t>(cells[i + k]);
-            sums[k] = static_cast<std::int32_t>(running);
-        }
-        Ints cover = load(sums);
-        cover = min(max(cover, Ints(0) - cover), Ints(kFull)); // either winding covers, and more than once is once
-        store_bytes(mask + i, shift_right_unsigned(cover * 255 + kFull / 2, 17));
+        Ints sums = running_sum(load(cells + i)) + sum;
+        sum = last_lane(sums);
+        Ints cover = min(max(sums, Ints(0) - sums), Ints(kFull)); // either winding covers, and more than once is once
+        store(mask + i, shift_right_unsigned((cover << 8) - cover + kFull / 2, 17));
         store(cells + i, Ints(0));
     }
-    return static_cast<std::int32_t>(running);
+    return sum;
 }
 
 void ramp_wide(Pixel* to, int count, const raster::Ramp& colours) noexcept {
