@@ -131,6 +131,36 @@ def test_a_force_acts_for_one_step_and_is_cleared(world):
     assert ball.velocity.x == pytest.approx(1)
 
 
+def test_acceleration_is_force_over_mass(world):
+    world.gravity = (0, -10)
+    ball = world.add(evil.Particle(mass=2))
+    ball.apply_force((4, 0))
+    world.step()
+    assert ball.acceleration == pytest.approx((2, -10))
+
+
+def test_matrices_of_body_and_shape_compose_and_follow(world):
+    box = world.add(evil.Rectangle(2, 1), at=(3, 0))
+    box.apply_matrix(evil.Mat4.translation(1, 2) @ evil.Mat4.rotation(math.pi / 2))
+    assert box.position == pytest.approx((1, 5), abs=1e-5)
+    assert box.angle == pytest.approx(math.pi / 2)
+    assert box.matrix @ (1, 0) == pytest.approx((1, 6), abs=1e-5)
+    box.shapes[0].apply_matrix(evil.Mat4.scale(2, 3))
+    assert box.mass == pytest.approx(12)
+    with pytest.raises(evil.ShapeError, match="squeeze"):
+        world.add(evil.Circle(1)).shapes[0].apply_matrix(evil.Mat4.scale(1, 2))
+    with pytest.raises(evil.ShapeError, match="flat"):
+        box.apply_matrix(evil.Mat4.scale(0, 1))
+
+
+def test_a_rectangle_turned_and_then_stretched_on_its_body_becomes_a_parallelogram(world):
+    box = world.add(evil.Rectangle(1, 1))
+    box.shapes[0].apply_matrix(evil.Mat4.scale(2, 1) @ evil.Mat4.rotation(math.pi / 4))
+    assert box.mass == pytest.approx(2)
+    assert world.bodies_at((1.3, 0)) == (box,)
+    assert world.bodies_at((0, 0.8)) == ()
+
+
 def test_a_lone_shape_off_the_origin_moves_the_centre_of_mass_not_the_position(world):
     body = world.add(evil.Polygon([(1, 0), (2, 0), (2, 1), (1, 1)]), at=(5, 5))
     assert body.position == (5, 5)

@@ -174,6 +174,9 @@ void bind_pushes(nb::class_<BodyHandle>& c) {
     c.def_prop_ro(
         "torque", [](const BodyHandle& h) { return row(h).torque; },
         "Gathered by apply_force and apply_torque since the last step.");
+    c.def_prop_ro(
+        "acceleration", [](const BodyHandle& h) { return from_vec2(row(h).acceleration); },
+        "What gravity and forces gave it in the last step, contacts left out (m/s2).");
 }
 
 void bind_mass(nb::class_<BodyHandle>& c) {

@@ -171,6 +171,7 @@ class Body(_core.Body):
         self._require()
         if name not in self._callbacks:
             self._callbacks[name] = Callbacks(f"Body.{name}", argument)
+            self._world._heard.add(name)
             if name == "on_update":
                 self._world._updated.append(self)
         return self._callbacks[name]

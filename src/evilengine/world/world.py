@@ -14,7 +14,7 @@ from evilengine.world import saving
 from evilengine.world.arguments import flag, listed, place, several, speed
 from evilengine.world.bodies import Bodies
 from evilengine.world.body import KINDS, Body, Motion, Shape, to_tag
-from evilengine.world.contacts import Contact, Contacts, RayHit
+from evilengine.world.contacts import Contacts, RayHit
 from evilengine.world.forces import Force
 from evilengine.world.shapes import ShapeDefinition, to_shape
 
@@ -50,6 +50,7 @@ class World:
         self._forces: dict[int, Force] = {}
         self._updated: list[Body] = []  # bodies with on_update
         self._motions: dict[int, tuple[Body, Motion]] = {}
+        self._heard: set[str] = set()  # kinds of events that any body wants to be told
         self._stepping = False
         self.gravity = to_vec2(gravity, "World", "gravity")
         self.sleep = sleep
@@ -267,16 +268,16 @@ class World:
                 force.apply(force.bodies, dt)
 
     def _tell_events(self) -> None:
-        listeners = [body for body in self._handles.values() if body._callbacks]
         for name, rows in (("on_collide", self._core.begun), ("on_separate", self._core.ended)):
-            if rows and any(name in body._callbacks for body in listeners):
-                for contact in self.contacts._all(rows):
-                    self._tell(name, contact)
+            heard = [row for row in rows if self._listens(name, row)] if name in self._heard else []
+            for contact in self.contacts._all(heard):
+                for body in (contact.a, contact.b):
+                    if body.alive and name in body._callbacks:
+                        body._callbacks[name].run(contact)
 
-    def _tell(self, name: str, contact: Contact) -> None:
-        for body in (contact.a, contact.b):
-            if body.alive and name in body._callbacks:
-                body._callbacks[name].run(contact)
+    def _listens(self, name: str, row: tuple[Any, ...]) -> bool:
+        """Does a body of this contact's row want to be told?"""
+        return any(slot in self._handles and name in self._handles[slot]._callbacks for slot in (row[0], row[2]))
 
     # -- asking --
 
