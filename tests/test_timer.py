@@ -14,10 +14,18 @@ from evilengine.values.errors import ArgumentError, ArgumentTypeError
 from evilengine.values.tick import STEP
 
 
-def run(schedule: Schedule, steps: int) -> None:
+class Stepped(Schedule):
+    """A schedule with a count of steps of its own, where a game has a world's."""
+
+    def __init__(self) -> None:
+        self.count = 0
+        super().__init__(lambda: self.count)
+
+
+def run(schedule: Stepped, steps: int) -> None:
     for _ in range(steps):
         schedule.run_due()
-        schedule.advance()
+        schedule.count += 1
 
 
 # the clock
@@ -98,7 +106,7 @@ def test_a_time_that_is_no_time_is_refused_and_changes_nothing(now):
 
 
 def test_an_event_happens_once_at_the_step_of_its_time():
-    schedule, seen = Schedule(), []
+    schedule, seen = Stepped(), []
     event = schedule.after(0.5, lambda: seen.append(schedule.time))
     assert event.alive
     run(schedule, 600)
@@ -108,14 +116,14 @@ def test_an_event_happens_once_at_the_step_of_its_time():
 
 
 def test_an_event_never_comes_early():
-    schedule, seen = Schedule(), []
+    schedule, seen = Stepped(), []
     schedule.after(0.51, lambda: seen.append(schedule.time))
     run(schedule, 60)
     assert seen == [31 * STEP]
 
 
 def test_every_keeps_its_rhythm_without_drift():
-    schedule, seen = Schedule(), []
+    schedule, seen = Stepped(), []
     schedule.every(0.1, lambda: seen.append(schedule.time))
     run(schedule, 60 * 100 + 1)
     assert len(seen) == 1000
@@ -124,7 +132,7 @@ def test_every_keeps_its_rhythm_without_drift():
 
 
 def test_events_of_one_time_come_in_the_order_they_were_made():
-    schedule, seen = Schedule(), []
+    schedule, seen = Stepped(), []
     schedule.every(0.1, lambda: seen.append("every"))
     for name in "abc":
         schedule.at(0.3, lambda name=name: seen.append(name))
@@ -134,7 +142,7 @@ def test_events_of_one_time_come_in_the_order_they_were_made():
 
 
 def test_events_of_one_step_come_in_the_order_of_their_times():
-    schedule, seen = Schedule(), []
+    schedule, seen = Stepped(), []
     for time in (0.303, 0.301, 0.302):
         schedule.at(time, lambda time=time: seen.append(time))
     run(schedule, 30)
@@ -142,7 +150,7 @@ def test_events_of_one_step_come_in_the_order_of_their_times():
 
 
 def test_a_thousand_events_come_sorted():
-    schedule, seen, chance = Schedule(), [], random.Random(2)
+    schedule, seen, chance = Stepped(), [], random.Random(2)
     times = [chance.uniform(0.0, 10.0) for _ in range(1000)]
     for time in times:
         schedule.at(time, lambda time=time: seen.append(time))
@@ -151,7 +159,7 @@ def test_a_thousand_events_come_sorted():
 
 
 def test_a_time_that_has_passed_comes_at_the_next_step():
-    schedule, seen = Schedule(), []
+    schedule, seen = Stepped(), []
     run(schedule, 60)
     schedule.at(0.2, lambda: seen.append(schedule.time))
     run(schedule, 2)
@@ -159,7 +167,7 @@ def test_a_time_that_has_passed_comes_at_the_next_step():
 
 
 def test_a_cancelled_event_does_not_happen_and_cancelling_twice_is_fine():
-    schedule, seen = Schedule(), []
+    schedule, seen = Stepped(), []
     event = schedule.every(0.1, lambda: seen.append(1))
     run(schedule, 7)
     event.cancel()
@@ -170,7 +178,7 @@ def test_a_cancelled_event_does_not_happen_and_cancelling_twice_is_fine():
 
 
 def test_a_callback_may_cancel_itself_and_others_of_the_same_step():
-    schedule, seen = Schedule(), []
+    schedule, seen = Stepped(), []
     first = schedule.every(0.1, lambda: (seen.append("first"), first.cancel(), second.cancel()))
     second = schedule.every(0.1, lambda: seen.append("second"))
     run(schedule, 60)
@@ -178,7 +186,7 @@ def test_a_callback_may_cancel_itself_and_others_of_the_same_step():
 
 
 def test_a_callback_may_plan_more_which_waits_for_the_next_step():
-    schedule, seen = Schedule(), []
+    schedule, seen = Stepped(), []
 
     def again():
         seen.append(schedule.time)
@@ -190,7 +198,7 @@ def test_a_callback_may_plan_more_which_waits_for_the_next_step():
 
 
 def test_clearing_inside_a_callback_leaves_nothing():
-    schedule, seen = Schedule(), []
+    schedule, seen = Stepped(), []
     schedule.every(0.1, lambda: (seen.append(1), schedule.after(0.0, lambda: seen.append(2)), schedule.clear()))
     schedule.every(0.1, lambda: seen.append(3))
     run(schedule, 60)
@@ -199,7 +207,7 @@ def test_clearing_inside_a_callback_leaves_nothing():
 
 
 def test_a_callback_that_raises_counts_as_called_and_the_rest_stay_due():
-    schedule, seen = Schedule(), []
+    schedule, seen = Stepped(), []
 
     def fail():
         raise RuntimeError("boom")
@@ -220,7 +228,7 @@ def test_a_schedule_keeps_nothing_of_events_that_are_over():
         def ring(self):
             pass
 
-    schedule, thing = Schedule(), Thing()
+    schedule, thing = Stepped(), Thing()
     watched = weakref.ref(thing)
     schedule.after(0.0, thing.ring)
     schedule.after(1.0, thing.ring).cancel()
@@ -233,7 +241,7 @@ def test_a_schedule_keeps_nothing_of_events_that_are_over():
 @pytest.mark.parametrize("verb", ["after", "every", "at"])
 @pytest.mark.parametrize("time", [float("nan"), float("inf"), -1.0, 1e300, "soon", None])
 def test_bad_times_are_refused_and_plan_nothing(verb, time):
-    schedule = Schedule()
+    schedule = Stepped()
     with pytest.raises((ArgumentError, ArgumentTypeError), match=f"timer.{verb}"):
         getattr(schedule, verb)(time, print)
     assert len(schedule) == 0
@@ -241,10 +249,10 @@ def test_bad_times_are_refused_and_plan_nothing(verb, time):
 
 def test_every_refuses_less_than_a_step():
     with pytest.raises(ArgumentError, match=r"at least 0\.016"):
-        Schedule().every(0.0, print)
+        Stepped().every(0.0, print)
 
 
 @pytest.mark.parametrize("verb", ["after", "every", "at"])
 def test_what_cannot_be_called_is_refused(verb):
     with pytest.raises(ArgumentTypeError, match="must be a function"):
-        getattr(Schedule(), verb)(1.0, "print")
+        getattr(Stepped(), verb)(1.0, "print")

@@ -8,6 +8,10 @@
 True
 """
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 from evilengine import math
 from evilengine.math import Mat4
 from evilengine.values.errors import (
@@ -24,13 +28,17 @@ from evilengine.values.errors import (
 )
 from evilengine.values.image import Image
 from evilengine.values.vec2 import Vec2
+from evilengine.values.version import VERSION
 from evilengine.world.body import Body, Shape
 from evilengine.world.contacts import Contact, RayHit
 from evilengine.world.forces import ConstantForce, Drag, Force, Gravity, Medium, Pull, Spring
 from evilengine.world.shapes import Circle, Particle, Polygon, Rectangle, Triangle
 from evilengine.world.world import World
 
-__version__ = "0.1.0"
+if TYPE_CHECKING:
+    from evilengine.game import Game
+
+__version__ = VERSION
 
 __all__ = [
     "ArgumentError",
@@ -44,6 +52,7 @@ __all__ = [
     "Drag",
     "Error",
     "Force",
+    "Game",
     "Gravity",
     "Image",
     "LevelError",
@@ -65,3 +74,13 @@ __all__ = [
     "World",
     "math",
 ]
+
+
+def __getattr__(name: str) -> type[Game]:
+    """Game, when it is first asked for: a simulation without windows need not wait for what draws and listens."""
+    if name != "Game":
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from evilengine.game import Game
+
+    globals()["Game"] = Game
+    return Game

@@ -57,21 +57,21 @@ class Event:
 class Schedule:
     """Events planned in simulated time, in the order of their times; those of one time in the order they were made.
 
-    Time here is a count of fixed steps, so the same game plans and fires the same on every machine, and stands still
-    while the game is paused.
+    Time here is the count of fixed steps that `steps()` gives, so the same game plans and fires the same on every
+    machine, and stands still while the game is paused.
 
-    >>> schedule = Schedule()
+    >>> world = evil.World(); schedule = Schedule(lambda: world.steps)
     >>> bell = schedule.after(0.5, lambda: print("ding"))
     >>> for _ in range(31):
     ...     schedule.run_due()
-    ...     schedule.advance()
+    ...     world.step()
     ding
     >>> bell.alive
     False
     """
 
-    def __init__(self) -> None:
-        self._steps = 0
+    def __init__(self, steps: Callable[[], int]) -> None:
+        self._steps = steps
         self._made = 0
         self._running = False
         self._heap: list[tuple[float, int, Event]] = []
@@ -79,7 +79,7 @@ class Schedule:
     @property
     def time(self) -> float:
         """Simulated seconds since the start."""
-        return self._steps * STEP
+        return self._steps() * STEP
 
     def __len__(self) -> int:
         """How many events wait."""
@@ -108,9 +108,10 @@ class Schedule:
         A callback may make and cancel events. If one raises, it counts as called, the rest stay due, and the exception
         goes through.
         """
+        now = self._steps()
         self._running = True
         try:
-            while self._heap and _first_step(self._heap[0][0]) <= self._steps:
+            while self._heap and _first_step(self._heap[0][0]) <= now:
                 _, _, event = heapq.heappop(self._heap)
                 event._time = None
                 if event._interval:
@@ -119,10 +120,6 @@ class Schedule:
                 event._call()
         finally:
             self._running = False
-
-    def advance(self) -> None:
-        """One step has been simulated."""
-        self._steps += 1
 
     def clear(self) -> None:
         """Cancel every event."""
@@ -141,7 +138,7 @@ class Schedule:
     def _push(self, event: Event) -> None:
         time = event._start + event._round * event._interval
         if self._running:
-            time = max(time, (self._steps + 1) * STEP)
+            time = max(time, self.time + STEP)
         event._time = round(time, 9)  # the same time however it was summed
         heapq.heappush(self._heap, (event._time, event._order, event))
 
