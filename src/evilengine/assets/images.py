@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -60,10 +61,10 @@ class Images:
         if not str(name) or "\0" in str(name):
             raise AssetError(f"image {str(name)!r}: this is no file name")
         for folder in self.folders:
-            if _is_file(folder / name):
+            if _is(Path.is_file, folder / name):
                 return folder / name
         searched = " or ".join(str(folder) for folder in self.folders)
-        if any((folder / name).is_dir() for folder in self.folders):
+        if any(_is(Path.is_dir, folder / name) for folder in self.folders):
             raise AssetError(f"image {str(name)!r}: this is a folder, not a picture")
         raise AssetError(
             f"image {str(name)!r}: there is no such file in {searched}{did_you_mean(name, self._names(name))}"
@@ -79,14 +80,14 @@ class Images:
         names = []
         for folder in self.folders:
             beside = (folder / near).parent
-            if beside.is_dir():
+            if _is(Path.is_dir, beside):
                 names += [str(Path(near).parent / path.name) for path in sorted(beside.iterdir())]
         return names
 
 
-def _is_file(path: Path) -> bool:
+def _is(kind: Callable[[Path], bool], path: Path) -> bool:
     try:
-        return path.is_file()
+        return kind(path)
     except OSError:  # such as a name that is too long
         return False
 
