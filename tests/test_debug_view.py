@@ -40,10 +40,10 @@ def pixels_of(stage: Stage, colour: tuple[int, int, int]) -> int:
 
 
 @pytest.mark.parametrize(("kind", "colour"), [("static", BLUE), ("kinematic", MAGENTA), ("dynamic", GREEN)])
-@pytest.mark.parametrize("shape", [evil.Rectangle(2, 2), evil.Circle(1), evil.Polygon([(1, -1), (1, 1), (-1, 0)])])
-def test_outlines_tell_the_kind_of_body(
-    stage: Stage, kind: str, colour: tuple[int, int, int], shape: evil.Circle | evil.Rectangle | evil.Polygon
-) -> None:
+@pytest.mark.parametrize("form", ["rectangle", "circle", "polygon"])
+def test_outlines_tell_the_kind_of_body(stage: Stage, kind: str, colour: tuple[int, int, int], form: str) -> None:
+    triangle = evil.Polygon([(1, -1), (1, 1), (-1, 0)])
+    shape = {"rectangle": evil.Rectangle(2, 2), "circle": evil.Circle(1), "polygon": triangle}[form]
     stage.add(shape, kind=kind, at=(-1, 0))
     assert sees(stage, (0, 0), colour)
     assert not sees(stage, (-0.55, 0.25), colour)  # inside
