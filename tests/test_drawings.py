@@ -55,7 +55,7 @@ def test_drawings_go_with_their_body(stage: Stage, look_first: bool) -> None:
     fresh.draw(colour="lime")
     for drawing in drawings:
         assert not drawing.alive
-        with pytest.raises(StaleReferenceError, match="Drawing"):
+        with pytest.raises(StaleReferenceError, match="this Drawing .* went with its body"):
             drawing.colour = "red"  # type: ignore[assignment]
     assert stage.at(0, 0) == GREEN
     assert len(stage.scene) == 1
@@ -87,6 +87,20 @@ def test_a_restored_world_does_not_bring_stale_drawings_back(stage: Stage) -> No
     assert isinstance(again, DrawnBody)
     again.draw(colour="blue")
     assert stage.at(0, 0) == BLUE
+
+
+def test_shapes_that_came_out_of_a_snapshot_can_be_drawn(stage: Stage) -> None:
+    stage.add([evil.Rectangle(0.4, 0.4), evil.Circle(0.1), evil.Particle()], at=(1, 0))
+    other = Stage()
+    other.world.restore(stage.world.snapshot())
+    (body,) = other.world.bodies
+    assert isinstance(body, DrawnBody)
+    assert body.shapes[0].definition is None
+    body.draw(colour="red")
+    assert len(body.drawings) == 3
+    assert other.at(1.15, 0.15) == RED
+    with pytest.raises(evil.ArgumentError, match="has none"):
+        other.scene.add(body.shapes[1], colours=["red"])
 
 
 def test_drawings_compare_and_hash_by_what_they_refer_to(stage: Stage) -> None:

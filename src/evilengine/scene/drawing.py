@@ -154,7 +154,8 @@ class Drawing:
 
     def _at(self) -> tuple[int, int]:
         if not self.alive:
-            gone = "went with its body" if self._scene._core.alive(self._slot, self._generation) else "was destroyed"
+            with_body = self._body is not None and not self._body.alive
+            gone = "went with its body" if with_body else "was destroyed"
             raise StaleReferenceError(
                 f"this Drawing ({self._what}) {gone}; keep no reference past destroy(), or ask drawing.alive first"
             )

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from evilengine.values.checks import number, one_of
 from evilengine.values.colour import BLACK, Colour, ColourLike, to_colour
-from evilengine.values.errors import StaleReferenceError
+from evilengine.values.errors import ArgumentError, StaleReferenceError
 from evilengine.values.font import Font
 from evilengine.values.vec2 import Point, Vec2, to_vec2
 
@@ -21,6 +21,7 @@ Fonts: TypeAlias = Callable[[int], tuple[int, Font]]
 SMALLEST, LARGEST = 4, 400  # real pixels: below, nothing can be read; above, the picture of the glyphs grows past 4096
 SHADOW = BLACK.with_alpha(0.45)  # under each glyph, so that text can be read on anything
 MOST_CHARACTERS = 10_000
+FARTHEST = 1e6  # logical points
 
 # For each anchor: which part of the text's width and height lies left of and above the point that it hangs on.
 ANCHORS: dict[str, tuple[float, float]] = {
@@ -75,7 +76,10 @@ class Text:
     @at.setter
     def at(self, value: Point) -> None:
         self._require_alive()
-        self._at = to_vec2(value, "Text", "at")
+        at = to_vec2(value, "Text", "at")
+        if max(abs(at.x), abs(at.y)) > FARTHEST:
+            raise ArgumentError(f"Text: at={value!r} must be at most {FARTHEST:g} points either way")
+        self._at = at
 
     @property
     def size(self) -> float:
