@@ -55,7 +55,7 @@ def test_drawings_go_with_their_body(stage: Stage, look_first: bool) -> None:
     fresh.draw(colour="lime")
     for drawing in drawings:
         assert not drawing.alive
-        with pytest.raises(StaleReferenceError, match="this Drawing .* went with its body"):
+        with pytest.raises(StaleReferenceError, match=r"this Drawing .* went with its body"):
             drawing.colour = "red"  # type: ignore[assignment]
     assert stage.at(0, 0) == GREEN
     assert len(stage.scene) == 1
