@@ -29,7 +29,7 @@ MISTAKES = [
     ("new circle 1 at 0 4 angle 30 deg;", "1:30 loose-unit", "write 30deg"),
     ("new circle 0,5 at 0 4;", "1:12 decimal-comma", "write 0.5"),
     ("new circle 1 at (0, 4);", "1:17 odd-parentheses", "as in: 1 2"),
-    ("new circle -1 at 0 4;", "1:12 out-of-range", "the radius is more than 0 and at most 10000"),
+    ("new circle -1 at 0 4;", "1:12 out-of-range", "the radius is from 0.001 to 10000"),
     ('on hit "ball" { }', "1:4 unknown-event", "did you mean 'on collide'?"),
     ('on key "spacebar" { }', "1:8 unknown-key", 'did you mean "space"?'),
     ("gravity 0-9.81;", "1:10 loose-arithmetic", "write 0 -9.81 for two numbers, or (0-9.81) for one"),

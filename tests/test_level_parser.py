@@ -67,7 +67,7 @@ def test_degrees_become_radians() -> None:
 
 
 def test_units_become_metres_and_kilograms() -> None:
-    assert body("new circle 50cm;").shapes[0][0].arguments == (0.5,)
+    assert body("new circle 50cm;").shapes[0].arguments == (0.5,)
     assert option("new circle 1 at 1km 20mm;", "at") == Pair(1000.0, 0.02)
     assert option("new circle 1 physicsOn mass 250g;", "mass") == 0.25
     assert option("new circle 1 physicsOn velocity 36km/h 0;", "velocity") == Pair(10.0, 0.0)
@@ -75,19 +75,21 @@ def test_units_become_metres_and_kilograms() -> None:
 
 def test_corners_of_a_polygon_stay_as_they_are_written() -> None:
     points = tuple(Pair(x, y) for x, y in [(0.0, 0.0), (1.0, 0.0), (0.5, 1.0)])
-    assert body("new triangle 0 0, 1 0, 0.5 1 at 3 3;").shapes == (
-        (Make("Triangle", (Corners(points),)), Pair(0.0, 0.0)),
-    )
+    assert body("new triangle 0 0, 1 0, 0.5 1 at 3 3;").shapes == (Make("Triangle", (Corners(points),)),)
+
+
+def edges(shape: Make) -> tuple[float, float, float, float]:
+    """Left, bottom, right, top of a polygon."""
+    (corners,) = shape.arguments
+    assert isinstance(corners, Corners)
+    xs, ys = [point.x for point in corners.points], [point.y for point in corners.points]
+    return min(xs), min(ys), max(xs), max(ys)
 
 
 def test_walls_stand_round_the_room() -> None:
-    shapes = body("new walls 16 9 thickness 2;").shapes
-    assert [(shape.arguments, (offset.x, offset.y)) for shape, offset in shapes] == [
-        ((20.0, 2.0), (0.0, -5.5)),
-        ((20.0, 2.0), (0.0, 5.5)),
-        ((2.0, 9.0), (-9.0, 0.0)),
-        ((2.0, 9.0), (9.0, 0.0)),
-    ]
+    below, above, left, right = map(edges, body("new walls 16 9 thickness 2;").shapes)
+    assert (below, above) == ((-10, -6.5, 10, -4.5), (-10, 4.5, 10, 6.5))
+    assert (left, right) == ((-10, -4.5, -8, 4.5), (8, -4.5, 10, 4.5))
 
 
 def test_two_numbers_with_a_minus_stay_two_and_arithmetic_is_one() -> None:

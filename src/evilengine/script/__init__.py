@@ -33,7 +33,7 @@ def check(text: str, file: str = "level.evil", folder: str | Path = "") -> tuple
 def read(text: str, file: str = "level.evil", folder: str | Path = "") -> LevelScript:
     """The level that `text` is. Raises LevelError with all its errors.
 
-    >>> read("new circle 0.5 at 0 3;").commands[0].shapes[0][0].type
+    >>> read("new circle 0.5 at 0 3;").commands[0].shapes[0].type
     'Circle'
     """
     level, errors = check(text, file, folder)

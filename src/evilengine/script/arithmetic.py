@@ -94,6 +94,11 @@ def evaluate(number: Number, names: Mapping[str, float], random: Random) -> floa
         return names[number.name]
     if not isinstance(number, Formula):
         return number
+    if number.function in ("and", "or"):  # the second is looked at only if it matters, as in Python
+        first = evaluate(number.arguments[0], names, random)
+        if (first != 0.0) == (number.function == "or"):
+            return float(first != 0.0)
+        return float(evaluate(number.arguments[1], names, random) != 0.0)
     values = [evaluate(each, names, random) for each in number.arguments]
     if number.function == "random":
         return random(*values)

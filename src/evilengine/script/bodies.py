@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from evilengine.script.arithmetic import formula
 from evilengine.script.checker import Checker
-from evilengine.script.names import SOMETHING, Made, family_made
+from evilengine.script.names import DRAWING, SOMETHING, Made, family_made
 from evilengine.script.settings import example_of
 from evilengine.script.syntax import Expression, Identifier, New, Setting, Spot, Text
-from evilengine.script.word import PLACE, SIZE, Property, Size
+from evilengine.script.word import PLACE, Property, Size
 from evilengine.script.words import KINDS, family_of, property_of
 from evilengine.values import level as values
 from evilengine.values.level import Area, Called, Command, Corners, Make, Number, Option, Pair, Place, Value
@@ -25,7 +25,9 @@ class ThingBuilder(Checker):
         if statement.kind is not None:
             settings = self._settings(statement)
             kind = KINDS[statement.kind]
-            if kind.family == "body":
+            if statement.drawn:
+                commands = self._drawing(statement, settings)
+            elif kind.family == "body":
                 commands = self._body(statement, settings)
             elif kind.family == "spring":
                 commands = self._spring(statement, settings)
@@ -40,11 +42,12 @@ class ThingBuilder(Checker):
         """The properties of a `new` by their words, each once, and all that it needs."""
         assert statement.kind is not None
         kind = KINDS[statement.kind]
-        found = self.by_word(statement.settings, family_of(kind))
+        family = DRAWING if statement.drawn else family_of(kind)
+        found = self.by_word(statement.settings, family)
         if not statement.broken:
             for word in kind.needs:
                 if word not in found:
-                    entry = property_of(word, family_of(kind))
+                    entry = property_of(word, family)
                     hint = f"as in: {example_of(entry)}" if entry else ""
                     self.error("missing-property", f"a {kind.word} needs {word}", statement.place, hint)
         return found
@@ -61,31 +64,48 @@ class ThingBuilder(Checker):
         return found
 
     def _body(self, statement: New, settings: dict[str, tuple[Setting, Property]]) -> list[Command]:
-        assert statement.kind is not None
-        kind = KINDS[statement.kind]
         self._body_conflicts(settings)
         options: list[Option] = [Option("kind", _body_kind(settings))]
-        sizes = [self._size(*each) for each in zip(statement.sizes, kind.sizes, strict=False)]
-        place = self._thesis_place(statement, len(kind.sizes), settings)
-        if "at" not in settings:
-            options.append(Option("at", place or Pair(0.0, 0.0)))
+        options.append(self._place(statement, settings))
+        shapes = self._shapes(statement, settings)
         for word, (setting, entry) in settings.items():
-            if word not in ("physicsOn", "moving", "thickness"):
+            if word not in ("at", "physicsOn", "moving", "thickness"):
                 options.append(Option(entry.option, self.value(setting, entry)))
-        shapes: tuple[tuple[Make, Pair], ...] = ()
-        if kind.corners is not None:
-            corners = self.corners(kind.word, statement.corners, statement.place) if not statement.broken else ()
-            shapes = ((Make(kind.type, (Corners(corners),)), Pair(0.0, 0.0)),)
-        elif len(sizes) == len(kind.sizes):
-            if kind.word == "walls":
-                shapes = self._walls(sizes[0], sizes[1], settings, statement.place)
-            else:
-                shapes = ((Make(kind.type, tuple(sizes)), Pair(0.0, 0.0)),)
         name = statement.name.name if statement.name else ""
         return [values.AddBody(statement.place, name, shapes, tuple(options))]
 
+    def _drawing(self, statement: New, settings: dict[str, tuple[Setting, Property]]) -> list[Command]:
+        options = [self._place(statement, settings)]
+        for word, (setting, entry) in settings.items():
+            if word != "at":
+                options.append(Option(entry.option, self.value(setting, entry)))
+        shapes = self._shapes(statement, settings)
+        name = statement.name.name if statement.name else ""
+        return [values.AddDrawing(statement.place, name, shapes[0], tuple(options))] if shapes else []
+
+    def _place(self, statement: New, settings: dict[str, tuple[Setting, Property]]) -> Option:
+        """Where it is: said by `at`, or after the sizes; without either, in the middle."""
+        assert statement.kind is not None
+        after_sizes = self._thesis_place(statement, len(KINDS[statement.kind].sizes), settings)
+        if "at" in settings:
+            return Option("at", self.value(*settings["at"]))
+        return Option("at", after_sizes or Pair(0.0, 0.0))
+
+    def _shapes(self, statement: New, settings: dict[str, tuple[Setting, Property]]) -> tuple[Make, ...]:
+        assert statement.kind is not None
+        kind = KINDS[statement.kind]
+        if kind.corners is not None:
+            corners = self.corners(kind.word, statement.corners, statement.place) if not statement.broken else ()
+            return (Make(kind.type, (Corners(corners),)),)
+        sizes = [self._size(*each) for each in zip(statement.sizes, kind.sizes, strict=False)]
+        if len(sizes) < len(kind.sizes):
+            return ()
+        if kind.word == "walls":
+            return self._walls(sizes[0], sizes[1], settings, statement.place)
+        return (Make(kind.type, tuple(sizes)),)
+
     def _size(self, expression: Expression, size: Size) -> Number:
-        return self.number(expression, f"the {size.name}", size.range, "length" if size.range == SIZE else "")
+        return self.number(expression, f"the {size.name}", size.range, size.measure)
 
     def _thesis_place(self, statement: New, sizes: int, settings: dict[str, tuple[Setting, Property]]) -> Pair | None:
         """The place that follows the sizes, as in `new rectangle 2 1 0 4`."""
@@ -109,7 +129,7 @@ class ThingBuilder(Checker):
 
     def _walls(
         self, width: Number, height: Number, settings: dict[str, tuple[Setting, Property]], place: Place
-    ) -> tuple[tuple[Make, Pair], ...]:
+    ) -> tuple[Make, ...]:
         """Four rectangles round the room: below, above, left, right."""
         thickness: Number = WALL_THICKNESS
         if "thickness" in settings:
@@ -118,17 +138,23 @@ class ThingBuilder(Checker):
             assert not isinstance(value, Text | Identifier | Spot)
             thickness = self.number(value, "thickness", entry.range, "length")
 
-        def middle(size: Number) -> Number:
-            return formula("divide", (formula("add", (size, thickness), place), 2.0), place)
+        def half(size: Number, more: Number) -> Number:
+            return formula("add", (formula("divide", (size, 2.0), place), more), place)
 
-        long = formula("add", (width, formula("multiply", (2.0, thickness), place)), place)
-        up, across = middle(height), middle(width)
-        level, upright = Make("Rectangle", (long, thickness)), Make("Rectangle", (thickness, height))
+        def wall(left: Number, bottom: Number, right: Number, top: Number) -> Make:
+            corners = (Pair(left, bottom), Pair(right, bottom), Pair(right, top), Pair(left, top))
+            return Make("Polygon", (Corners(corners),))
+
+        def minus(number: Number) -> Number:
+            return formula("negate", (number,), place)
+
+        x, y = half(width, 0.0), half(height, 0.0)
+        far_x, far_y = half(width, thickness), half(height, thickness)
         return (
-            (level, Pair(0.0, formula("negate", (up,), place))),
-            (level, Pair(0.0, up)),
-            (upright, Pair(formula("negate", (across,), place), 0.0)),
-            (upright, Pair(across, 0.0)),
+            wall(minus(far_x), minus(far_y), far_x, minus(y)),
+            wall(minus(far_x), y, far_x, far_y),
+            wall(minus(far_x), minus(y), minus(x), y),
+            wall(x, minus(y), far_x, y),
         )
 
     def _spring(self, statement: New, settings: dict[str, tuple[Setting, Property]]) -> list[Command]:

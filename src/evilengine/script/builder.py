@@ -5,7 +5,7 @@ from __future__ import annotations
 from evilengine.script.arithmetic import Bounds
 from evilengine.script.bodies import BODIES, ThingBuilder
 from evilengine.script.checker import thing
-from evilengine.script.names import NUMBER, SOMETHING, TEXT, Made
+from evilengine.script.names import DRAWING, NUMBER, SOMETHING, TEXT, Made
 from evilengine.script.syntax import (
     Block,
     Change,
@@ -27,7 +27,7 @@ from evilengine.script.words import property_of
 from evilengine.values import level as values
 from evilengine.values.level import Called, Command, Number, Option, Place, Tagged, Value
 
-THINGS = (*BODIES, "spring", "force", "drag", "medium", TEXT)
+THINGS = (*BODIES, "spring", "force", "drag", "medium", DRAWING, TEXT)
 
 _SECONDS = Range(least=0.0, most=1e6)
 _INTERVAL = Range(least=0.02, most=1e6)  # shorter than a step is no interval
@@ -88,6 +88,8 @@ class Builder(ThingBuilder):
             return self._let(statement)
         if statement.broken:
             return []
+        if statement.word == "evil" and self._top and statement is not self.first:
+            self.error("wrong-place", "evil stands before everything else", place, "move it to the first line")
         if statement.word in ("evil", "view", "seed") and not self._top:
             message = f"{statement.word} is said once, outside all blocks"
             self.error("wrong-place", message, place, "move it to the start of the level")
@@ -121,9 +123,7 @@ class Builder(ThingBuilder):
             self.error("wrong-version", message, version.place, "write: evil 1;")
 
     def _background(self, what: Text, place: Place) -> values.SetBackground:
-        if "." in what.value:
-            return values.SetBackground(place, picture=self.picture(what))
-        return values.SetBackground(place, colour=self.colour(what))
+        return values.SetBackground(place, self.picture(what) if "." in what.value else self.colour(what))
 
     def _impulse(self, name: Identifier, kick: Spot, place: Place) -> list[Command]:
         made = self.called(name, BODIES, "thing")
@@ -159,14 +159,14 @@ class Builder(ThingBuilder):
     def _change(self, statement: Change) -> list[Command]:
         target = statement.target
         if statement.setting is None and statement.value is None:
-            self.called(target, (*BODIES, TEXT, NUMBER), "thing")
+            self.called(target, (*BODIES, DRAWING, TEXT, NUMBER), "thing")
             return []
         if statement.setting is None:
             return self._change_number(statement)
-        made = self.called(target, (*BODIES, TEXT), "thing")
+        made = self.called(target, (*BODIES, DRAWING, TEXT), "thing")
         if made is None or statement.broken:
             return []
-        family = "text" if made.family == TEXT else "body"
+        family = made.family if made.family in (DRAWING, TEXT) else "body"
         entry = property_of(statement.setting.word, family)
         if entry is None or not entry.settable:
             self.error(
@@ -178,7 +178,8 @@ class Builder(ThingBuilder):
             value: Value = isinstance(switch, Identifier) and switch.name == "on"
         else:
             value = self.value(statement.setting, entry)
-        return [values.SetProperty(statement.place, Called(target.name), entry.settable, value)]
+        looks = entry.of_drawings and family == "body"
+        return [values.SetProperty(statement.place, Called(target.name), entry.settable, value, looks)]
 
     def _change_number(self, statement: Change) -> list[Command]:
         target = statement.target

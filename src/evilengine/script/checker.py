@@ -40,6 +40,7 @@ class Checker:
         self.source = source
         self.folder = folder
         self.names = Names(level.statements)
+        self.first = level.statements[0] if level.statements else None
         self._lost = set(lost)
         self.uncertain = 0
         """More than 0 inside an `if`, whose condition may rule out what its bounds allow."""

@@ -53,6 +53,8 @@ class Expressions:
         self._depth = 0
         self.number_names: set[str] = set()
         """Names of counters and of numbers made by `let`, so far."""
+        self.refused: set[str] = set()
+        """Words of the language that somebody gave as a name."""
 
     # The cursor
 
@@ -85,6 +87,8 @@ class Expressions:
         return self.token.kind == "name" and self.token.text in words
 
     def starts_statement(self, token: Token) -> bool:
+        if token.text in self.refused and not token.first:
+            return False  # somebody uses it as a name, which has been said
         return token.kind == "name" and token.text in STATEMENTS
 
     def error(self, code: str, message: str, where: Token | Place, suggestion: str = "") -> None:
@@ -362,6 +366,7 @@ class Expressions:
         """A name that the level gives to something; None after an error."""
         token = self.advance()
         if token.text in RESERVED:
+            self.refused.add(token.text)
             message = f"'{token.text}' is a word of the language and cannot be a name"
             self.error("reserved-name", message, token, f"choose another, such as {token.text}1")
             return None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from evilengine.script.word import ANY, MAX_CORNERS, NOT_NEGATIVE, Kind, Size
+from evilengine.script.word import ANY, MAX_CORNERS, NOT_NEGATIVE, Kind, Range, Size
 
 KINDS: Mapping[str, Kind] = {
     each.word: each
@@ -57,6 +57,15 @@ KINDS: Mapping[str, Kind] = {
             meant=("poly", "shape", "hexagon", "pentagon", "star"),
         ),
         Kind(
+            word="particle",
+            family="body",
+            type="Particle",
+            sizes=(Size(name="mass", range=Range(above=0.0, most=1e6), measure="mass"),),
+            doc="A grain with a mass and no size: forces move it, and it passes through everything.",
+            example="new particle grain 1kg at 0 3 physicsOn;",
+            meant=("point", "dot", "grain", "dust"),
+        ),
+        Kind(
             word="spring",
             family="spring",
             type="Spring",
@@ -69,7 +78,7 @@ KINDS: Mapping[str, Kind] = {
             word="force",
             family="force",
             type="ConstantForce",
-            sizes=(Size(name="x", range=ANY), Size(name="y", range=ANY)),
+            sizes=(Size(name="x", range=ANY, measure=""), Size(name="y", range=ANY, measure="")),
             doc="A steady push with this strength to the right and up; on everything, or only on those named by `for`.",
             example="new circle ball 0.5 at 0 3 physicsOn;\nnew force wind 2 0 for ball;",
             meant=("push", "wind", "thrust"),
@@ -78,7 +87,7 @@ KINDS: Mapping[str, Kind] = {
             word="drag",
             family="drag",
             type="Drag",
-            sizes=(Size(name="strength", range=NOT_NEGATIVE),),
+            sizes=(Size(name="strength", range=NOT_NEGATIVE, measure=""),),
             doc="Resistance, as of thick air: slows whatever moves; everything, or only those named by `for`.",
             example="new circle ball 0.5 at 0 3 physicsOn;\nnew drag 0.5 for ball;",
             meant=("resistance", "brake"),

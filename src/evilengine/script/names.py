@@ -12,6 +12,7 @@ from evilengine.values.level import Place
 
 NUMBER = "number"
 TEXT = "text"
+DRAWING = "drawing"
 SOMETHING = "something"  # its statement is broken, or nobody could guess its kind: it may be used for anything
 
 
@@ -95,6 +96,8 @@ def family_made(statement: New) -> str:
     """The family of what a `new` statement makes, as far as anyone can tell."""
     if statement.kind is None or statement.broken:
         return SOMETHING
+    if statement.drawn:
+        return DRAWING
     return family_of(KINDS[statement.kind])
 
 

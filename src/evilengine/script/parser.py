@@ -170,8 +170,8 @@ class Parser(Things):
 
     def _dispatch(self, word: str, place: Place, before: int) -> StatementNode | None:
         match word:
-            case "new":
-                return self.thing(place, before)
+            case "new" | "draw":
+                return self.thing(place, before, drawn=word == "draw")
             case "text":
                 return self.text(place, before)
             case "set":

@@ -5,13 +5,14 @@ from __future__ import annotations
 from evilengine.script.word import ANY, FRACTION, NOT_NEGATIVE, PLACE, SIZE, Property, Range
 
 BODY = ("body",)
+LOOKS = ("body", "drawing")
 _ON_BODY = "new circle ball 0.5 at 0 3 physicsOn "
 
 PROPERTIES: tuple[Property, ...] = (
     Property(
         word="at",
         takes="point",
-        families=("body", "medium"),
+        families=("body", "drawing", "medium"),
         option="at",
         range=PLACE,
         settable="position",
@@ -22,7 +23,7 @@ PROPERTIES: tuple[Property, ...] = (
     Property(
         word="angle",
         takes="angle",
-        families=BODY,
+        families=LOOKS,
         option="angle",
         range=ANY,
         settable="angle",
@@ -186,9 +187,10 @@ PROPERTIES: tuple[Property, ...] = (
     Property(
         word="colour",
         takes="colour",
-        families=("body", "text"),
+        families=LOOKS,
         option="colour",
         settable="colour",
+        of_drawings=True,
         spellings=("color",),
         doc='Its colour: a name such as `red`, or `"#rrggbb"` in quotes.',
         example='new circle 0.5 at 0 3 colour "#cc9966";',
@@ -197,9 +199,10 @@ PROPERTIES: tuple[Property, ...] = (
     Property(
         word="texture",
         takes="picture",
-        families=BODY,
+        families=LOOKS,
         option="texture",
         settable="texture",
+        of_drawings=True,
         doc="A picture drawn on it: the name of a file in the level's folder.",
         example="",
         meant=("image", "picture", "sprite", "skin", "img"),
@@ -207,10 +210,11 @@ PROPERTIES: tuple[Property, ...] = (
     Property(
         word="layer",
         takes="whole",
-        families=BODY,
+        families=LOOKS,
         option="layer",
         range=Range(least=-1000, most=1000),
         settable="layer",
+        of_drawings=True,
         doc="What is drawn over what: a whole number; higher is in front, 0 is usual.",
         example="new circle 0.5 at 0 3 layer 2;",
         meant=("depth", "zIndex", "z", "order"),
@@ -218,9 +222,10 @@ PROPERTIES: tuple[Property, ...] = (
     Property(
         word="hidden",
         takes="flag",
-        families=BODY,
+        families=LOOKS,
         option="hidden",
         settable="hidden",
+        of_drawings=True,
         doc="It is there but not seen.",
         example="new rectangle 4 1 at 0 -2 hidden;",
         meant=("invisible", "hide", "unseen"),
@@ -294,7 +299,7 @@ PROPERTIES: tuple[Property, ...] = (
         word="drag",
         takes="number",
         families=("medium",),
-        option="drag",
+        option="linear",
         range=NOT_NEGATIVE,
         doc="How strongly it holds back what moves through it: 0 is empty space, 4 is thick.",
         example="new medium 8 2 at 0 -3 drag 4;",
@@ -305,6 +310,7 @@ PROPERTIES: tuple[Property, ...] = (
         takes="spot",
         families=("text",),
         option="at",
+        settable="at",
         range=Range(least=-10_000.0, most=10_000.0),
         doc="Where it stands on the screen: points to the right and down from the top left corner.",
         example='text "Hello" at 20 20;',
@@ -315,9 +321,21 @@ PROPERTIES: tuple[Property, ...] = (
         takes="number",
         families=("text",),
         option="size",
+        settable="size",
         range=Range(least=4.0, most=400.0),
         doc="How tall its letters are, in points; 16 is usual.",
         example='text "Hello" at 20 20 size 32;',
         meant=("height", "fontSize", "font"),
+    ),
+    Property(
+        word="colour",
+        takes="colour",
+        families=("text",),
+        option="colour",
+        settable="colour",
+        spellings=("color",),
+        doc="The colour of its letters.",
+        example='text "Hello" at 20 20 colour "gold";',
+        meant=("fill", "tint", "paint", "col"),
     ),
 )

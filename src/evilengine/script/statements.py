@@ -56,6 +56,13 @@ STATEMENTS: Mapping[str, Statement] = {
             meant=("create", "add", "make", "spawn", "object"),
         ),
         Statement(
+            word="draw",
+            form="draw KIND [NAME] SIZES [PROPERTIES];",
+            doc="Draws a rectangle, circle, triangle or polygon that nothing can touch: a cloud, water, a far hill.",
+            example='draw circle sun 1 at 6 3 colour "gold" layer -1;',
+            meant=("paint", "picture", "decoration", "image"),
+        ),
+        Statement(
             word="text",
             form='text [NAME] "WORDS" at X Y [PROPERTIES];',
             doc="A line of words on the screen; `at` counts points from the top left corner. "

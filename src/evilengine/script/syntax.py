@@ -80,7 +80,7 @@ class Setting:
 
 @dataclass(frozen=True, slots=True)
 class New:
-    """`kind` is None when nobody could guess what it was meant to be."""
+    """`kind` is None when nobody could guess what it was meant to be; `drawn` is a picture of it that nothing meets."""
 
     kind: str | None
     name: Identifier | None
@@ -89,6 +89,7 @@ class New:
     settings: tuple[Setting, ...]
     place: Place
     broken: bool
+    drawn: bool = False
 
 
 @dataclass(frozen=True, slots=True)

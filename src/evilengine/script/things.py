@@ -7,7 +7,7 @@ from evilengine.script.lexer import Source, Token
 from evilengine.script.settings import Settings
 from evilengine.script.syntax import Block, Change, Expression, Identifier, New, Spot, Text, TextLine
 from evilengine.script.word import Kind
-from evilengine.script.words import KINDS, PROPERTY_WORDS, RESERVED, family_of, near_kind
+from evilengine.script.words import DRAWN, KINDS, PROPERTY_WORDS, RESERVED, family_of, near_kind
 from evilengine.values.level import Place
 
 
@@ -71,9 +71,12 @@ class Things(Settings):
 
     # new KIND [NAME] SIZES PROPERTIES
 
-    def thing(self, place: Place, before: int) -> New:
-        kind, kind_place = self._kind()
-        family = family_of(kind) if kind else ""
+    def thing(self, place: Place, before: int, *, drawn: bool = False) -> New:
+        kind, kind_place = self._kind("draw" if drawn else "new")
+        if drawn and kind is not None and kind.word not in DRAWN:
+            hint = f"draw makes pictures of {', '.join(DRAWN)}"
+            self.error("wrong-kind", f"a {kind.word} cannot be drawn", kind_place or place, hint)
+        family = "drawing" if drawn else family_of(kind) if kind else ""
         name = self._name_of_new(family)
         sizes: tuple[Expression, ...] = ()
         corners: tuple[Spot, ...] = ()
@@ -87,13 +90,14 @@ class Things(Settings):
         settings = self.settings(family)
         broken = self.broken(before)
         self.finish()
-        return New(kind.word if kind else None, name, sizes, corners, settings, kind_place or place, broken)
+        return New(kind.word if kind else None, name, sizes, corners, settings, kind_place or place, broken, drawn)
 
-    def _kind(self) -> tuple[Kind | None, Place | None]:
+    def _kind(self, word: str) -> tuple[Kind | None, Place | None]:
         token = self.token
         if token.kind != "name" or self.starts_statement(token):
-            self.error("missing-kind", "new needs what to make, as in: new circle 0.5 at 0 3;", self.after_last(),
-                       f"there are {', '.join(KINDS)}")  # fmt: skip
+            kinds = DRAWN if word == "draw" else KINDS
+            message = f"{word} needs what to make, as in: {word} circle 0.5 at 0 3;"
+            self.error("missing-kind", message, self.after_last(), f"there are {', '.join(kinds)}")
             raise Skip
         self.advance()
         if token.text in KINDS:
@@ -101,7 +105,7 @@ class Things(Settings):
         after = self.token
         if after.kind == "name" and after.text in KINDS and token.text not in RESERVED:
             self.error(
-                "word-order", "the kind comes before the name", token, f"write: new {after.text} {cut(token.text)}"
+                "word-order", "the kind comes before the name", token, f"write: {word} {after.text} {cut(token.text)}"
             )
             self.advance()
             self.made.add(token.text)
@@ -121,6 +125,8 @@ class Things(Settings):
             swapped, self._swapped = self._swapped, None
             return swapped
         token, after = self.token, self.next
+        if self.starts_statement(token) and not token.first and after.kind in ("number", "(", "-"):
+            return self.name_to_make()
         if token.kind != "name" or token.text in PROPERTY_WORDS or self._at_call() or self.starts_statement(token):
             if token.kind == "string" and not token.first:
                 self.error("quoted-name", "a name stands without quotes", token, f"write {cut(token.text)}")

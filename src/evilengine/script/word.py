@@ -92,7 +92,7 @@ def plain(value: float) -> str:
 
 ANY = Range()
 PLACE = Range(least=-FARTHEST, most=FARTHEST)
-SIZE = Range(above=0.0, most=10_000.0)
+SIZE = Range(least=0.001, most=10_000.0)
 FRACTION = Range(least=0.0, most=1.0)
 NOT_NEGATIVE = Range(least=0.0, most=1e6)
 
@@ -120,6 +120,7 @@ class Size:
 
     name: str
     range: Range = SIZE
+    measure: str = "length"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -149,5 +150,7 @@ class Property(Word):
     range: Range = ANY
     settable: str = ""
     """The attribute that `set` changes while the level plays; empty when it cannot be changed."""
+    of_drawings: bool = False
+    """Whether it is how a thing looks, which is its drawings' business."""
     spellings: tuple[str, ...] = ()
     """Other spellings that mean the same and are no error."""

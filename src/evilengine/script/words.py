@@ -15,6 +15,8 @@ from evilengine.script.properties import PROPERTIES
 from evilengine.script.statements import ARITY, EVENT_MEANT, EVENTS, FUNCTIONS, STATEMENTS
 from evilengine.script.word import Kind, Property, Word
 
+DRAWN = ("rectangle", "circle", "triangle", "polygon")
+"""The kinds that `draw` knows."""
 PROPERTY_WORDS = frozenset(word for each in PROPERTIES for word in (each.word, *each.spellings))
 JOINING_WORDS = frozenset({"times", "as", "else", "and", "or", "not"})
 EVENT_NAMES = frozenset({"this", "other"})
@@ -81,7 +83,7 @@ def near_property(wrong: str, family: str) -> str | None:
 
 
 __all__ = [
-    "ARITY", "EVENTS", "EVENT_MEANT", "EVENT_NAMES", "FUNCTIONS", "JOINING_WORDS", "KINDS", "PROPERTIES",
+    "ARITY", "DRAWN", "EVENTS", "EVENT_MEANT", "EVENT_NAMES", "FUNCTIONS", "JOINING_WORDS", "KINDS", "PROPERTIES",
     "PROPERTY_WORDS", "RESERVED", "STATEMENTS", "family_of", "meant_for", "near", "near_kind", "near_property",
     "near_statement", "properties_of", "property_of",
 ]  # fmt: skip

@@ -207,8 +207,7 @@ class SetBackground:
     """A colour, or a picture's file name."""
 
     place: Place
-    colour: str = ""
-    picture: str = ""
+    what: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -219,11 +218,21 @@ class SetSeed:
 
 @dataclass(frozen=True, slots=True)
 class AddBody:
-    """A body: `shapes` are pairs of a shape and its offset, `options` go to `game.add`."""
+    """A body made of `shapes`; `options` go to `game.add`."""
 
     place: Place
     name: str
-    shapes: tuple[tuple[Make, Pair], ...]
+    shapes: tuple[Make, ...]
+    options: tuple[Option, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class AddDrawing:
+    """A shape that is seen and nothing else; `options` go to `game.draw`."""
+
+    place: Place
+    name: str
+    shape: Make
     options: tuple[Option, ...]
 
 
@@ -265,12 +274,13 @@ class SetNumber:
 
 @dataclass(frozen=True, slots=True)
 class SetProperty:
-    """Changes `property` of what is called `target`; nothing, when that is gone."""
+    """Changes `property` of what is called `target`, or of its drawings; nothing, when that is gone."""
 
     place: Place
     target: Called
     property: str
     value: Value
+    of_drawings: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -362,6 +372,7 @@ Command: TypeAlias = (
     | SetBackground
     | SetSeed
     | AddBody
+    | AddDrawing
     | AddForce
     | AddText
     | Let

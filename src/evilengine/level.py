@@ -1,0 +1,384 @@
+"""Levels: the commands of a level script, carried out on a game, or on a world alone.
+
+>>> from evilengine import script
+>>> world = evil.World()
+>>> level = build(script.read("new circle ball 0.5 at 0 3 physicsOn;"), world)
+>>> level["ball"].position
+Vec2(0.0, 3.0)
+"""
+
+from __future__ import annotations
+
+import logging
+import random
+from collections import ChainMap
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from evilengine import script
+from evilengine.script.arithmetic import ArithmeticProblem, evaluate
+from evilengine.script.tags import Tags, when_met, when_touched
+from evilengine.script.word import MAX_BODIES, MAX_ROUNDS
+from evilengine.values import level as commands
+from evilengine.values.errors import ArgumentError, Error, LevelError
+from evilengine.values.level import Area, Block, Called, Corners, LevelScript, Make, Number, Pair, Tagged, level_error
+from evilengine.world.body import Body
+from evilengine.world.forces import ConstantForce, Drag, Force, Medium, Spring
+from evilengine.world.shapes import Circle, Particle, Polygon, Rectangle, Triangle
+from evilengine.world.world import World
+
+if TYPE_CHECKING:
+    from evilengine.game import Game
+    from evilengine.scene import Drawing, Text
+    from evilengine.values.inputs import Touch
+
+Thing: TypeAlias = "Body | Drawing | Force | Text"
+
+TYPES: dict[str, Callable[..., Any]] = {
+    each.__name__: each
+    for each in (Circle, Rectangle, Triangle, Polygon, Particle, Spring, ConstantForce, Drag, Medium)
+}
+"""What a level can make, by the names that its commands use."""
+
+_LOOKS = frozenset({"colour", "texture", "layer", "visible"})
+
+
+def load(game: Game, path: str | Path) -> Level:
+    """Build the level at `path` into `game`. Raises LevelError with all its errors, AssetError if it cannot be read."""
+    return build(script.read_file(path), game)
+
+
+def build(level: LevelScript, target: Game | World) -> Level:
+    """Carry out the commands of `level` on a game; or on a world alone, which has no timer, keys, texts or looks.
+
+    Raises LevelError if one of them cannot be carried out; what the ones before it made is gone then.
+    """
+    return Level(level, target)
+
+
+class Scope:
+    """The names known in a block: its own, then those of the blocks round it."""
+
+    __slots__ = ("numbers", "things")
+
+    def __init__(self, outer: Scope | None = None) -> None:
+        self.things: ChainMap[str, Thing] = outer.things.new_child() if outer else ChainMap()
+        self.numbers: ChainMap[str, float] = outer.numbers.new_child() if outer else ChainMap()
+
+    def change(self, name: str, value: float) -> None:
+        """Set a number where it was made."""
+        for each in self.numbers.maps:
+            if name in each:
+                each[name] = value
+                return
+
+
+class Level:
+    """A level at play. `level["ball"]` is what it calls ball, and `in` asks whether that is there."""
+
+    def __init__(self, level: LevelScript, target: Game | World) -> None:
+        self.script = level
+        self.game: Game | None = None if isinstance(target, World) else target
+        self.world: World = target if isinstance(target, World) else target.world
+        self._random = self.game.random if self.game is not None else random.Random(0)
+        self._tags = Tags()
+        self._texts: list[tuple[Text, tuple[str | Number, ...], Scope]] = []
+        self._top = Scope()
+        self._undo: list[Callable[[], object]] = []
+        self._full = False
+        try:
+            self._block(level.commands, self._top)
+        except BaseException:
+            for each in reversed(self._undo):
+                each()
+            raise
+        self._undo.clear()
+
+    def __getitem__(self, name: str) -> Any:
+        """The body, force or text of that name. Raises KeyError if there is none, or if it is gone."""
+        thing = self._top.things[name]
+        if not thing.alive:
+            raise KeyError(name)
+        return thing
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._top.things and self._top.things[str(name)].alive
+
+    # Blocks
+
+    def _block(self, block: Block, scope: Scope) -> None:
+        for command in block:
+            try:
+                self._carry_out(command, scope)
+            except LevelError:
+                raise
+            except ArithmeticProblem as problem:
+                raise self._refused("no-result", problem.message, problem.place) from None
+            except Error as error:
+                raise self._refused("refused", str(error), command.place) from error
+
+    def _refused(self, code: str, message: str, place: commands.Place) -> LevelError:
+        return level_error((self.script.diagnostic(code, message, place),))
+
+    def _later(self, block: Block, scope: Scope, **known: Body) -> None:
+        """Carry out a block in a scope of its own."""
+        inner = Scope(scope)
+        inner.things.update(known)
+        self._block(block, inner)
+
+    def _carry_out(self, command: commands.Command, scope: Scope) -> None:
+        match command:
+            case commands.AddBody():
+                self._add_body(command, scope)
+            case commands.AddForce():
+                self._add_force(command, scope)
+            case commands.SetGravity(gravity=gravity):
+                before, self.world.gravity = self.world.gravity, self._pair(gravity, scope)
+                self._undo.append(lambda: setattr(self.world, "gravity", before))
+            case commands.Let(name=name, value=value):
+                scope.numbers[name] = self._number(value, scope)
+            case commands.SetNumber(name=name, value=value):
+                scope.change(name, self._number(value, scope))
+            case commands.SetProperty():
+                self._set(command, scope)
+            case commands.Destroy(target=target):
+                thing = self._thing(target, scope)
+                if thing is not None:
+                    thing.destroy()
+            case commands.Impulse(target=target, impulse=impulse):
+                body = self._thing(target, scope)
+                if isinstance(body, Body):
+                    body.apply_impulse(self._pair(impulse, scope))
+            case commands.Repeat():
+                self._repeat(command, scope)
+            case commands.If(condition=condition, then=then, otherwise=otherwise):
+                self._later(then if self._number(condition, scope) else otherwise, scope)
+            case commands.OnContact():
+                self._on_contact(command, scope)
+            case commands.OnTouch(first=first, block=block) if first is not None:
+                self._on_touch(first, block, scope)
+            case _:
+                if self.game is not None:
+                    self._play(command, scope, self.game)
+
+    def _play(self, command: commands.Command, scope: Scope, game: Game) -> None:
+        """Commands that a world alone has no use for."""
+        match command:
+            case commands.SetView(width=width, height=height):
+                game.camera.fit(width, height)
+            case commands.SetTilt(on=on):
+                game.tilt = on
+            case commands.SetBackground(what=what):
+                game.add_background(what)
+            case commands.SetSeed(seed=seed):
+                game.random.seed(seed)
+            case commands.AddDrawing():
+                self._add_drawing(command, scope, game)
+            case commands.AddText():
+                self._add_text(command, scope, game)
+            case commands.After(seconds=seconds, block=block):
+                event = game.timer.after(self._number(seconds, scope), lambda: self._later(block, scope))
+                self._undo.append(event.cancel)
+            case commands.Every():
+                self._every(command, scope, game)
+            case commands.OnKey() | commands.OnShake() | commands.OnTouch():
+                self._on_input(command, scope, game)
+
+    # Values
+
+    def _number(self, number: Number, scope: Scope) -> float:
+        return evaluate(number, scope.numbers, self._random.uniform)
+
+    def _pair(self, pair: Pair, scope: Scope) -> tuple[float, float]:
+        x = self._number(pair.x, scope)
+        return x, self._number(pair.y, scope)
+
+    def _value(self, value: commands.Value, scope: Scope) -> Any:
+        match value:
+            case Pair():
+                return self._pair(value, scope)
+            case Called():
+                return self._thing(value, scope)
+            case Area():
+                return tuple(self._number(each, scope) for each in (value.left, value.bottom, value.right, value.top))
+            case Corners(points=points):
+                return [self._pair(point, scope) for point in points]
+            case bool() | int() | str():
+                return value
+            case _:
+                return self._number(value, scope)
+
+    def _made(self, make: Make, scope: Scope) -> Any:
+        """The engine's value that a Make stands for."""
+        arguments = [self._value(each, scope) for each in make.arguments]
+        options = {each.name: self._value(each.value, scope) for each in make.options}
+        if make.type == "Triangle":
+            arguments = arguments[0]
+        return TYPES[make.type](*arguments, **options)
+
+    def _thing(self, called: Called, scope: Scope) -> Thing | None:
+        """What a name stands for; None when it is gone, or was never made."""
+        thing = scope.things.get(called.name)
+        return thing if thing is not None and thing.alive else None
+
+    # Making and changing
+
+    def _add_body(self, command: commands.AddBody, scope: Scope) -> None:
+        shapes = [self._made(each, scope) for each in command.shapes]
+        options = self._looks(command.options, scope)
+        if len(self.world.bodies) >= MAX_BODIES:
+            if not self._full:
+                self._full = True
+                logging.getLogger(__name__).warning("%s: %d things are enough", self.script.file, MAX_BODIES)
+            return
+        shape = shapes[0] if len(shapes) == 1 else shapes
+        if self.game is not None:
+            body: Body = self.game.add(shape, **options)
+        else:
+            body = self.world.add(shape, **{name: value for name, value in options.items() if name not in _LOOKS})
+        self._made_thing(body, command.name, scope)
+        self._tags.add(body)
+
+    def _made_thing(self, thing: Thing, name: str, scope: Scope) -> None:
+        self._undo.append(lambda: thing.alive and thing.destroy())
+        if name:
+            scope.things[name] = thing
+
+    def _add_force(self, command: commands.AddForce, scope: Scope) -> None:
+        bodies = [body for body in (self._thing(each, scope) for each in command.bodies) if isinstance(body, Body)]
+        other_ends = [each.value for each in command.force.options if isinstance(each.value, Called)]
+        if (command.bodies and not bodies) or any(self._thing(each, scope) is None for each in other_ends):
+            return  # what it would act on is gone
+        force = self.world.add_force(self._made(command.force, scope), bodies or None)
+        self._made_thing(force, command.name, scope)
+
+    def _add_drawing(self, command: commands.AddDrawing, scope: Scope, game: Game) -> None:
+        shape = self._made(command.shape, scope)
+        self._made_thing(game.draw(shape, **self._looks(command.options, scope)), command.name, scope)
+
+    def _looks(self, options: tuple[commands.Option, ...], scope: Scope) -> dict[str, Any]:
+        """Options for a game, which asks what is visible rather than what is hidden."""
+        values = {each.name: self._value(each.value, scope) for each in options}
+        if values.pop("hidden", False):
+            values["visible"] = False
+        return values
+
+    def _add_text(self, command: commands.AddText, scope: Scope, game: Game) -> None:
+        words = self._words(command.pieces, scope)
+        text = game.text(words, **{each.name: self._value(each.value, scope) for each in command.options})
+        self._made_thing(text, command.name, scope)
+        if any(not isinstance(piece, str) for piece in command.pieces):
+            self._texts.append((text, command.pieces, scope))
+            if len(self._texts) == 1:
+                game.on_draw(self._refresh)
+                self._undo.append(lambda: game.on_draw.remove(self._refresh))
+
+    def _words(self, pieces: tuple[str | Number, ...], scope: Scope) -> str:
+        shown = [each if isinstance(each, str) else f"{self._number(each, scope):.10g}" for each in pieces]
+        return "".join(shown)
+
+    def _refresh(self) -> None:
+        """Show the present numbers in the texts that have some."""
+        self._texts = [each for each in self._texts if each[0].alive]
+        for text, pieces, scope in self._texts:
+            text.text = self._words(pieces, scope)
+
+    def _set(self, command: commands.SetProperty, scope: Scope) -> None:
+        thing: Any = self._thing(command.target, scope)
+        if thing is None:
+            return
+        value = self._value(command.value, scope)
+        if command.property == "tag":
+            self._tags.change(thing, value)
+            return
+        attribute, value = ("visible", not value) if command.property == "hidden" else (command.property, value)
+        for each in getattr(thing, "drawings", ()) if command.of_drawings else (thing,):
+            setattr(each, attribute, value)
+
+    # Rounds and events
+
+    def _repeat(self, command: commands.Repeat, scope: Scope) -> None:
+        rounds = int(self._number(command.times, scope))
+        if rounds > MAX_ROUNDS:
+            raise ArgumentError(f"repeat {rounds}: at most {MAX_ROUNDS} rounds are allowed")
+        for count in range(1, rounds + 1):
+            inner = Scope(scope)
+            if command.counter:
+                inner.numbers[command.counter] = float(count)
+            self._block(command.block, inner)
+
+    def _every(self, command: commands.Every, scope: Scope, game: Game) -> None:
+        seconds = self._number(command.seconds, scope)
+        times = None if command.times is None else int(self._number(command.times, scope))
+        count = 0
+
+        def round_() -> None:
+            nonlocal count
+            count += 1
+            if count == times:
+                event.cancel()
+            inner = Scope(scope)
+            if command.counter:
+                inner.numbers[command.counter] = float(count)
+            self._block(command.block, inner)
+
+        event = game.timer.every(seconds, round_)
+        self._undo.append(event.cancel)
+
+    def _on_contact(self, command: commands.OnContact, scope: Scope) -> None:
+        event = "on_collide" if command.begins else "on_separate"
+        second: Body | str | None = None
+        if isinstance(command.second, Tagged):
+            second = command.second.tag
+        elif command.second is not None:
+            thing = self._thing(command.second, scope)
+            if not isinstance(thing, Body):
+                return  # nothing will ever meet what is gone
+            second = thing
+
+        def met(this: Body, other: Body) -> None:
+            self._later(command.block, scope, this=this, other=other)
+
+        if isinstance(command.first, Tagged):
+            (self._tags.on_collide if command.begins else self._tags.on_separate)(command.first.tag, second, met)
+            return
+        first = self._thing(command.first, scope)
+        if isinstance(first, Body):
+            when_met(first, event, second, met)
+
+    def _on_touch(self, first: commands.Target, block: Block, scope: Scope) -> None:
+        def touched(this: Body) -> None:
+            self._later(block, scope, this=this)
+
+        if isinstance(first, Tagged):
+            self._tags.on_touch(first.tag, touched)
+            return
+        body = self._thing(first, scope)
+        if isinstance(body, Body):
+            when_touched(body, touched)
+
+    def _on_input(
+        self, command: commands.OnKey | commands.OnShake | commands.OnTouch, scope: Scope, game: Game
+    ) -> None:
+        def pressed(key: str) -> None:
+            if isinstance(command, commands.OnKey) and key == command.key:
+                self._later(command.block, scope)
+
+        def touched(touch: Touch) -> None:
+            if touch.phase == "began":
+                self._later(command.block, scope)
+
+        def shaken() -> None:
+            self._later(command.block, scope)
+
+        match command:
+            case commands.OnKey():
+                game.on_key_press(pressed)
+                self._undo.append(lambda: game.on_key_press.remove(pressed))
+            case commands.OnTouch():
+                game.on_touch(touched)
+                self._undo.append(lambda: game.on_touch.remove(touched))
+            case _:
+                game.on_shake(shaken)
+                self._undo.append(lambda: game.on_shake.remove(shaken))

@@ -1,0 +1,444 @@
+"""A level as Python (SPEC L3): a program that builds the same world through the engine's public face."""
+
+from __future__ import annotations
+
+import keyword
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import PurePath
+
+from evilengine.script.blocks import changed, destroyed, has_tags, is_deferred, used
+from evilengine.script.python_values import PythonValues, literal, quoted
+from evilengine.values import level as commands
+from evilengine.values.level import Block, Called, Command, LevelScript, Number, Tagged
+
+WIDTH = 120  # characters; a longer call is spread over several lines
+
+_TAKEN = {
+    "abs", "bool", "build", "contact", "cosine", "drawing", "evil", "game", "key", "max", "math", "min", "other",
+    "range", "int", "sine", "tags", "this", "touch", "when_met",
+}  # fmt: skip
+
+
+def translate(level: LevelScript) -> str:
+    """The text of a Python program that builds `level`; its `build(game)` fills a Game.
+
+    >>> from evilengine import script
+    >>> print(translate(script.read("new circle ball 0.5 at 0 3 physicsOn;", "ball.evil")))
+    \"\"\"ball.evil as Python, made by `evil translate`.\"\"\"
+    <BLANKLINE>
+    import evilengine as evil
+    <BLANKLINE>
+    <BLANKLINE>
+    def build(game):
+        ball = game.add(evil.Circle(0.5), kind="dynamic", at=(0, 3))
+    <BLANKLINE>
+    <BLANKLINE>
+    if __name__ == "__main__":
+        game = evil.Game("ball")
+        build(game)
+        game.run()
+    <BLANKLINE>
+    """
+    return Translator(level).program()
+
+
+class Translator(PythonValues):
+    """One method for each command."""
+
+    def __init__(self, level: LevelScript) -> None:
+        self._level = level
+        self._lines: list[str] = []
+        self._indent = 0
+        self._used = set(_TAKEN)
+        self._names: list[dict[str, str]] = [{}]
+        """What the level calls things -> what Python does, a dictionary for each block."""
+        self._sure: list[set[str]] = [set()]
+        """Python names of what cannot be gone: made in this function and not destroyed in it."""
+        self._maybe: set[str] = set()
+        """Python names that are None if what they need was gone."""
+        self._tags = has_tags(level.commands)
+        self._gap = False
+        """Whether a blank line belongs here: before and after a function."""
+
+    def program(self) -> str:
+        with self._deeper():
+            if self._tags:
+                self._line("tags = Tags()")
+            self._block(self._level.commands)
+            body = self._lines or ["    pass"]
+        title = PurePath(self._level.file).name
+        stem = PurePath(self._level.file).stem
+        text = "\n".join(body)
+        lines = [f"{quoted(f'{title} as Python, made by `evil translate`.', 3)}", "", *_imports(text), "", ""]
+        lines += ["def build(game):", text, "", "", 'if __name__ == "__main__":']
+        lines += [f"    game = evil.Game({quoted(stem)})", "    build(game)", "    game.run()", ""]
+        return "\n".join(lines)
+
+    # Lines, names
+
+    def _line(self, text: str) -> None:
+        if self._gap and self._lines and not self._lines[-1].endswith(":"):
+            self._lines.append("")
+        self._gap = False
+        self._lines.append("    " * self._indent + text)
+
+    @contextmanager
+    def _deeper(self) -> Iterator[None]:
+        self._indent += 1
+        yield
+        self._indent -= 1
+
+    @contextmanager
+    def _scope(self, **known: str) -> Iterator[None]:
+        self._names.append(dict(known))
+        yield
+        self._names.pop()
+
+    def _fresh(self, wanted: str) -> str:
+        """A Python name of its own for everything, so that no closure sees another's value."""
+        name = wanted if wanted.isidentifier() and not keyword.iskeyword(wanted) else f"{wanted}_"
+        number = 2
+        while name in self._used:
+            name = f"{wanted}_{number}"
+            number += 1
+        self._used.add(name)
+        return name
+
+    def _make_name(self, name: str) -> str:
+        self._names[-1][name] = self._fresh(name)
+        return self._names[-1][name]
+
+    def called(self, name: str) -> str:
+        """The Python name of what a level calls `name`."""
+        for names in reversed(self._names):
+            if name in names:
+                return names[name]
+        return name
+
+    def _call(self, before: str, function: str, arguments: list[str], after: str = "") -> None:
+        """A call on one line, or with a line for each argument; several shapes are a list."""
+        line = f"{before}{function}({', '.join(arguments)}){after}"
+        if 4 * self._indent + len(line) <= WIDTH:
+            self._line(line)
+            return
+        self._line(f"{before}{function}(")
+        with self._deeper():
+            for argument in arguments:
+                self._line(f"{argument.replace('), evil.', '),' + chr(10) + '    ' * self._indent + ' evil.')},")
+        self._line(f"){after}")
+
+    @contextmanager
+    def _if_alive(self, *names: str) -> Iterator[None]:
+        """What follows happens only if all of these are there; nobody asks where that is sure."""
+        unsure = [name for name in names if name not in self._sure[-1]]
+        if not unsure:
+            yield
+            return
+        asked = [f"{name} is not None and {name}.alive" if name in self._maybe else f"{name}.alive" for name in unsure]
+        self._line(f"if {' and '.join(asked)}:")
+        with self._deeper():
+            yield
+
+    def _function(self, name: str, arguments: str, block: Block, *, by: str = "", first: str = "") -> None:
+        """A function that does what a block says; `by` decorates it, `first` is its first line, or a condition."""
+        self._gap = True
+        if by:
+            self._line(f"@{by}")
+        self._line(f"def {name}({arguments}):")
+        self._sure.append(set())
+        with self._deeper():
+            outer = sorted({self.called(each) for each in changed(block)})
+            if outer:
+                self._line(f"nonlocal {', '.join(outer)}")
+            if first.endswith(":"):
+                self._line(first)
+                with self._deeper():
+                    self._inner(block)
+            else:
+                if first:
+                    self._line(first)
+                self._inner(block)
+        self._sure.pop()
+        self._gap = True
+
+    def _inner(self, block: Block) -> None:
+        with self._scope():
+            self._block(block)
+        if not block:
+            self._line("pass")
+
+    # Commands
+
+    def _block(self, block: Block) -> None:
+        for command in block:
+            self._command(command)
+
+    def _command(self, command: Command) -> None:
+        match command:
+            case commands.SetView(width=width, height=height):
+                self._line(f"game.camera.fit({literal(width)}, {literal(height)})")
+            case commands.SetGravity(gravity=gravity):
+                self._line(f"game.world.gravity = {self.value(gravity)}")
+            case commands.SetTilt(on=on):
+                self._line(f"game.tilt = {on}")
+            case commands.SetBackground(what=what):
+                self._line(f"game.add_background({quoted(what)})")
+            case commands.SetSeed(seed=seed):
+                self._line(f"game.random.seed({seed})")
+            case commands.AddBody():
+                self._add_body(command)
+            case commands.AddDrawing():
+                arguments = [self.make(command.shape), *(self.option(each) for each in command.options)]
+                self._call(self._naming(command.name), "game.draw", arguments)
+            case commands.AddForce():
+                self._add_force(command)
+            case commands.AddText():
+                self._add_text(command)
+            case commands.Let(name=name, value=value):
+                number = self.number(value)
+                self._line(f"{self._make_name(name)} = {number}")
+            case commands.SetNumber(name=name, value=value):
+                self._line(f"{self.called(name)} = {self.number(value)}")
+            case commands.SetProperty():
+                self._set(command)
+            case commands.Destroy(target=target):
+                name = self.called(target.name)
+                with self._if_alive(name):
+                    self._line(f"{name}.destroy()")
+                self._sure[-1].discard(name)
+            case commands.Impulse(target=target, impulse=impulse):
+                name = self.called(target.name)
+                with self._if_alive(name):
+                    self._line(f"{name}.apply_impulse({self.value(impulse)})")
+            case _:
+                self._structure(command)
+
+    def _structure(self, command: Command) -> None:
+        """Commands with blocks."""
+        match command:
+            case commands.OnContact():
+                self._on_contact(command)
+            case commands.OnTouch():
+                self._on_touch(command)
+            case commands.OnKey(key=key, block=block):
+                first = f"if key == {quoted(key)}:"
+                self._function(self._fresh(f"when_{key}"), "key", block, by="game.on_key_press", first=first)
+            case commands.OnShake(block=block):
+                self._function(self._fresh("when_shaken"), "", block, by="game.on_shake")
+            case commands.After(seconds=seconds, block=block):
+                name = self._fresh("later")
+                self._function(name, "", block)
+                self._line(f"game.timer.after({self.number(seconds)}, {name})")
+            case commands.Every():
+                self._every(command)
+            case commands.Repeat():
+                self._repeat(command)
+            case commands.If(condition=condition, then=then, otherwise=otherwise):
+                self._line(f"if {self.condition(condition)}:")
+                sure = set(self._sure[-1])
+                with self._deeper():
+                    self._inner(then)
+                if otherwise:
+                    self._line("else:")
+                    with self._deeper():
+                        self._inner(otherwise)
+                self._sure[-1] &= sure
+
+    def _naming(self, name: str) -> str:
+        """`name = ` for something that is made here and has a name."""
+        if not name:
+            return ""
+        made = self._make_name(name)
+        self._sure[-1].add(made)
+        return f"{made} = "
+
+    def _add_body(self, command: commands.AddBody) -> None:
+        shapes = [self.make(each) for each in command.shapes]
+        shape = shapes[0] if len(shapes) == 1 else f"[{', '.join(shapes)}]"
+        tagged = self._tags and any(option.name == "tag" for option in command.options)
+        arguments = [shape, *(self.option(each) for each in command.options)]
+        before = self._naming(command.name)
+        if tagged:
+            self._call(f"{before}tags.add(", "game.add", arguments, ")")
+        else:
+            self._call(before, "game.add", arguments)
+
+    def _add_force(self, command: commands.AddForce) -> None:
+        bodies = [self.called(each.name) for each in command.bodies]
+        others = [self.called(each.value.name) for each in command.force.options if isinstance(each.value, Called)]
+        force = self.make(command.force)
+        name = self._make_name(command.name) if command.name else ""
+        before = f"{name} = " if name else ""
+        if not bodies:
+            self._call(before, "game.world.add_force", [force])
+            self._sure[-1].add(name)
+            return
+        if name and not {*bodies, *others} <= self._sure[-1]:
+            self._line(f"{name} = None")
+            self._maybe.add(name)
+        if len(bodies) == 1:
+            with self._if_alive(bodies[0], *others):
+                self._call(before, f"{bodies[0]}.add_force", [force])
+            return
+        alive = self._fresh("alive")
+        self._line(f"{alive} = [body for body in ({', '.join(bodies)}) if body.alive]")
+        self._line(f"if {alive}:")
+        with self._deeper():
+            self._call(before, "game.world.add_force", [force, alive])
+
+    def _add_text(self, command: commands.AddText) -> None:
+        options = [self.option(each) for each in command.options]
+        numbers = any(not isinstance(piece, str) for piece in command.pieces)
+        words = self._words(command.pieces) if numbers else quoted("".join(map(str, command.pieces)))
+        name = self._make_name(command.name) if command.name else self._fresh("text") if numbers else ""
+        self._call(f"{name} = " if name else "", "game.text", [words, *options])
+        if numbers:
+            self._gap = True
+            self._line("@game.on_draw")
+            self._line(f"def {self._fresh(f'show_{name}')}():")
+            with self._deeper():
+                self._line(f"if {name}.alive:")
+                with self._deeper():
+                    self._line(f"{name}.text = {words}")
+            self._gap = True
+        if name:
+            self._sure[-1].add(name)
+
+    def _words(self, pieces: tuple[str | Number, ...]) -> str:
+        shown = [
+            quoted(each)[1:-1].replace("{", "{{").replace("}", "}}")
+            if isinstance(each, str)
+            else f"{{{self.number(each)}:.10g}}"
+            for each in pieces
+        ]
+        return f'f"{"".join(shown)}"'
+
+    def _set(self, command: commands.SetProperty) -> None:
+        name, attribute = self.called(command.target.name), command.property
+        value = self.angle(command.value) if "ang" in attribute else self.value(command.value)
+        with self._if_alive(name):
+            if attribute == "tag" and self._tags:
+                self._line(f"tags.change({name}, {value})")
+                return
+            if attribute == "hidden":
+                attribute, value = "visible", repr(not command.value)
+            if command.of_drawings:
+                self._line(f"for drawing in {name}.drawings:")
+                with self._deeper():
+                    self._line(f"drawing.{attribute} = {value}")
+            else:
+                self._line(f"{name}.{attribute} = {value}")
+
+    def _on_contact(self, command: commands.OnContact) -> None:
+        event = "on_collide" if command.begins else "on_separate"
+        first, second = command.first, command.second
+        if isinstance(first, Called) and not isinstance(second, Tagged):
+            self._on_contact_of(event, self.called(first.name), command)
+            return
+        names = [self.called(each.name) for each in (first, second) if isinstance(each, Called)]
+        with self._if_alive(*names):
+            name = self._fresh("met")
+            with self._scope(this="this", other="other"):
+                self._function(name, "this, other", command.block)
+            with_what = quoted(second.tag) if isinstance(second, Tagged) else names[-1] if second else "None"
+            if isinstance(first, Tagged):
+                self._line(f"tags.{event}({quoted(first.tag)}, {with_what}, {name})")
+            else:
+                self._line(f"when_met({names[0]}, {quoted(event)}, {with_what}, {name})")
+
+    def _on_contact_of(self, event: str, first: str, command: commands.OnContact) -> None:
+        """A contact of two things, or of one with anything: a callback of the first."""
+        second = self.called(command.second.name) if isinstance(command.second, Called) else ""
+        with self._if_alive(*(name for name in (first, second) if name)):
+            uses_other = Called("other") in used(command.block)
+            start = f"other = contact.other({first})" if uses_other else ""
+            if second:
+                start = f"if contact.other({first}) == {second}:"
+            name = self._fresh(f"{first}_{'meets' if command.begins else 'leaves'}_{second or 'something'}")
+            with self._scope(this=first, other=second or "other"):
+                self._function(name, "contact", command.block, by=f"{first}.{event}", first=start)
+
+    def _on_touch(self, command: commands.OnTouch) -> None:
+        began = 'if touch.phase == "began":'
+        if isinstance(command.first, Tagged):
+            name = self._fresh("touched")
+            with self._scope(this="this"):
+                self._function(name, "this", command.block)
+            self._line(f"tags.on_touch({quoted(command.first.tag)}, {name})")
+        elif command.first is None:
+            self._function(self._fresh("when_touched"), "touch", command.block, by="game.on_touch", first=began)
+        else:
+            first = self.called(command.first.name)
+            with self._if_alive(first), self._scope(this=first):
+                name = self._fresh(f"when_{first}_is_touched")
+                self._function(name, "touch", command.block, by=f"{first}.on_touch", first=began)
+
+    def _every(self, command: commands.Every) -> None:
+        seconds, name = self.number(command.seconds), self._fresh("again")
+        if command.times is None and not command.counter:
+            self._function(name, "", command.block)
+            self._line(f"game.timer.every({seconds}, {name})")
+            return
+        counter, event, times = self._fresh(command.counter or "count"), self._fresh("event"), ""
+        if isinstance(command.times, float):
+            times = literal(float(int(command.times)))
+        elif command.times is not None:
+            every, times = self._fresh("seconds"), self._fresh("times")
+            self._line(f"{every}, {times} = {seconds}, int({self.number(command.times)})")
+            seconds = every
+        self._line(f"{counter} = 0")
+        with self._scope(**{command.counter: counter} if command.counter else {}):
+            self._counted_function(name, command.block, counter, f"if {counter} == {times}:" if times else "", event)
+        self._line(f"{event} = game.timer.every({seconds}, {name})")
+
+    def _counted_function(self, name: str, block: Block, counter: str, last: str, event: str) -> None:
+        """The function of an `every` that counts its rounds; closures made in one keep the number of that round."""
+        inner = self._fresh(f"{name}_round")
+        with self._scope():
+            self._function(inner, counter, block)
+        self._gap = True
+        self._line(f"def {name}():")
+        with self._deeper():
+            self._line(f"nonlocal {counter}")
+            self._line(f"{counter} += 1")
+            if last:
+                self._line(last)
+                with self._deeper():
+                    self._line(f"{event}.cancel()")
+            self._line(f"{inner}({counter})")
+        self._gap = True
+
+    def _repeat(self, command: commands.Repeat) -> None:
+        counter = self._fresh(command.counter or "_")
+        if isinstance(command.times, float):
+            rounds = f"range(1, {int(command.times) + 1})"
+        else:
+            rounds = f"range(1, int({self.number(command.times)}) + 1)"
+        with self._scope(**{command.counter: counter} if command.counter else {}):
+            if is_deferred(command.block):
+                name = self._fresh("one_round")
+                self._function(name, counter, command.block)
+                self._line(f"for {counter} in {rounds}:")
+                with self._deeper():
+                    self._line(f"{name}({counter})")
+            else:
+                self._line(f"for {counter} in {rounds}:")
+                self._sure.append(set())
+                with self._deeper():
+                    self._inner(command.block)
+                self._sure.pop()
+        self._sure[-1] -= {self.called(each) for each in destroyed(command.block)}
+
+
+def _imports(text: str) -> list[str]:
+    """The import lines that a program with this text needs."""
+    lines = ["import math", ""] if "math." in text else []
+    lines.append("import evilengine as evil")
+    angles = [name for name in ("cosine", "sine") if f"{name}(" in text]
+    if angles:
+        lines.append(f"from evilengine.script.arithmetic import {', '.join(angles)}")
+    tags = [name for name, use in (("Tags", "Tags()"), ("when_met", "when_met(")) if use in text]
+    if tags:
+        lines.append(f"from evilengine.script.tags import {', '.join(tags)}")
+    return lines
