@@ -98,7 +98,9 @@ def _decode(path: Path, name: str) -> Image:
     try:
         with warnings.catch_warnings(), path.open("rb") as file:
             warnings.simplefilter("ignore")  # of odd but readable files
-            with PIL.Image.open(file, formats=FORMATS) as picture:
+            PIL.Image.init()
+            known = [name for name in FORMATS if name in PIL.Image.OPEN]  # older Pillows lack AVIF
+            with PIL.Image.open(file, formats=known) as picture:
                 _check_size(picture, name)
                 return picture_files.from_pillow(_straightened(picture))
     except AssetError:
