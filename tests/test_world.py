@@ -185,6 +185,20 @@ def test_a_concave_polygon_collides_in_its_notch(world):
     assert ball.position == pytest.approx((0, 1.5), abs=0.02)
 
 
+@pytest.mark.parametrize("speed", [20, 100, 400, 1000, 5000])
+@pytest.mark.parametrize(
+    "shape", [evil.Circle(0.1), evil.Rectangle(0.3, 0.1), evil.Triangle((0, 0), (0.2, 0), (0, 0.2))]
+)
+@pytest.mark.parametrize("angle", [0, 0.7])
+def test_a_fast_body_does_not_pass_a_thin_wall(speed, shape, angle):
+    world = evil.World(gravity=(0, 0))
+    wall = world.add(evil.Rectangle(0.01, 40), at=(5, 0), kind="static", angle=angle)
+    bullet = world.add(shape, velocity=(speed, speed / 7), angular_velocity=20)
+    for _ in range(120):
+        world.step()
+        assert wall.to_local(bullet.centre).x < 0
+
+
 def test_contacts_begin_once_and_end_once(world):
     floor = ground(world)
     ball = world.add(evil.Circle(0.5), at=(0, 2), tag="ball")

@@ -57,9 +57,11 @@ void by_creation(const Bodies& bodies, std::vector<std::uint32_t>& found) {
 
 } // namespace
 
-std::optional<RayHit> ray_cast(const Shapes& shapes, const Bodies& bodies, Vec2 start, Vec2 end) {
+std::optional<RayHit> ray_cast(const Shapes& shapes, const Bodies& bodies, Vec2 start, Vec2 end,
+                               std::optional<BodyKind> only) {
     RayHit best;
     for_each_piece(shapes, bodies, [&](const Piece& piece, const Body& body) {
+        if (only && body.kind != *only) return;
         Vec2 s = untransform(body.pose, start), d = unrotate(body.pose.q, end - start);
         std::optional<Entry> hit = piece.count == 0
                                        ? enter_circle(piece, s, d)

@@ -12,8 +12,9 @@ struct RayHit {
     float fraction = 1.0f;
 };
 
-// The first shape that the segment enters. One that it starts in does not count.
-std::optional<RayHit> ray_cast(const Shapes& shapes, const Bodies& bodies, Vec2 start, Vec2 end);
+// The first shape that the segment enters, of bodies of one kind or of all. One that it starts in does not count.
+std::optional<RayHit> ray_cast(const Shapes& shapes, const Bodies& bodies, Vec2 start, Vec2 end,
+                               std::optional<BodyKind> only = {});
 
 bool contains(const Shapes& shapes, const Piece& piece, const Pose& pose, Vec2 point);
 

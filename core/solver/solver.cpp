@@ -73,6 +73,12 @@ void clear_gathered_forces(const Solver& solver, Bodies& bodies) {
     }
 }
 
+void note_paths(Solver& solver) {
+    solver.paths.clear();
+    for (std::size_t i = 1; i < solver.bodies.size(); ++i)
+        solver.paths.push_back({solver.body_slots[i], solver.starts[i].centre});
+}
+
 } // namespace
 
 void solve(Solver& solver, Bodies& bodies, Contacts& contacts, const Forces& forces, Vec2 gravity, StepSize step) {
@@ -96,6 +102,7 @@ void solve(Solver& solver, Bodies& bodies, Contacts& contacts, const Forces& for
     store_impulses(solver, contacts);
     write_back(solver, bodies);
     clear_gathered_forces(solver, bodies);
+    note_paths(solver);
 }
 
 } // namespace evil

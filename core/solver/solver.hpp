@@ -4,7 +4,7 @@
 // Catto, "Solver2D" (2024), https://box2d.org/posts/2024/02/solver2d/: "Soft Step". Each substep integrates velocities,
 // starts from the last impulses, solves with a soft push out of overlap, moves the bodies, then solves again without
 // the push so that it leaves no velocity behind.
-#include "collider/contact.hpp"
+#include "collider/continuous.hpp"
 #include "forces/forces.hpp"
 
 namespace evil {
@@ -50,6 +50,7 @@ struct Solver { // Scratch
     std::vector<SolverBody> bodies;
     std::vector<Start> starts;             // of each solver body
     std::vector<std::uint32_t> body_slots; // of each solver body; [0] unused
+    std::vector<Path> paths;               // of each solver body, for the walls
     std::vector<std::uint32_t> number_of;  // by body slot
     std::vector<ContactConstraint> constraints;
     std::vector<Push> pushes;               // by body slot
