@@ -229,6 +229,17 @@ def test_a_size_that_is_none_is_refused(size):
         evil.Game(headless=True, size=size)
 
 
+@pytest.mark.parametrize(
+    "wrong",
+    [{"seed": "x"}, {"seed": 1.5}, {"folder": 7}, {"view_height": float("nan")}, {"view_height": 0}, {"threads": 0}]
+    + [{"gravity": (0, float("inf"))}, {"gravity": 9.81}, {"sleep": "no"}, {"renderer": None}],
+    ids=repr,
+)
+def test_arguments_that_mean_nothing_are_refused_by_name(wrong):
+    with pytest.raises(evil.Error, match=next(iter(wrong))):
+        evil.Game(headless=True, **wrong)
+
+
 def test_an_unknown_argument_is_refused_with_the_nearest():
     with pytest.raises(evil.ArgumentTypeError, match="did you mean 'headless'"):
         evil.Game(headles=True)

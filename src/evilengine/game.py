@@ -10,7 +10,7 @@ import time
 from collections.abc import Iterable
 from contextvars import ContextVar
 from pathlib import Path, PurePath
-from typing import Any, Protocol, cast
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from evilengine.assets import Fonts, Images
 from evilengine.interaction import Grabs, Interaction, axis
@@ -32,8 +32,15 @@ from evilengine.values.vec2 import Point, Vec2
 from evilengine.world.shapes import Rectangle
 from evilengine.world.world import World
 
+if TYPE_CHECKING:
+    from evilengine.level import Level
+
 HEADLESS_SECONDS = 10.0
 """How long `run()` plays where nobody can close a window, unless it is told."""
+
+
+SHORTEST_FRAME = 1.0 / 500.0
+"""Seconds. Screens that set the pace are slower; but a window that is hidden may not wait for its screen at all."""
 
 
 class Stage(Protocol):
@@ -44,6 +51,12 @@ class Stage(Protocol):
 
     def run(self, game: Game) -> None:
         """What `game.run()` does instead of its own loop."""
+
+
+def keep_pace(device: Device, began: float) -> None:
+    """Wait until the frame that began then (by time.perf_counter) has lasted as long as one should."""
+    shortest = SHORTEST_FRAME if device.vsync else STEP
+    time.sleep(max(0.0, began + shortest - time.perf_counter()))
 
 
 STAGE: ContextVar[Stage | None] = ContextVar("evilengine_stage", default=None)
@@ -85,12 +98,17 @@ class Game:
         folder: str | Path | None = None,
         device: Device | None = None,
     ) -> None:
+        if isinstance(seed, bool) or not isinstance(seed, int):
+            raise ArgumentTypeError(f"Game: seed={seed!r} must be a whole number")
+        if not (folder is None or isinstance(folder, (str, Path))):
+            raise ArgumentTypeError(f"Game: folder={folder!r} must be a path, or None for the folder of the script")
         self.world = World(gravity, threads=threads, sleep=sleep)
         self.world._body_type = DrawnBody
-        self.device = device or _open_device(title, size, headless)
         self.renderer = open_renderer(renderer)
-        self.folder = Path(folder) if folder is not None else _script_folder()
-        self.camera = Camera(self.device.size, view_height=view_height)
+        self.folder = _script_folder() if folder is None else Path(folder)
+        self.camera = Camera(view_height=view_height)
+        self.device = device or _open_device(title, size, headless)  # last: nothing after it can leave a window behind
+        self.camera.size = self.device.size
         self._pictures = _Pictures(self.renderer, Images(self.folder, Path.cwd()))
         self.scene = Scene(self.world, textures=self._pictures.texture, fonts=self._pictures.font)
         self.timer = Schedule(lambda: self.world.steps)
@@ -288,6 +306,15 @@ class Game:
         shape = Rectangle(width * metres, height * metres)
         return self.scene.add(shape, at=self.camera.position, texture=what, layer=-DEEPEST_LAYER)
 
+    def load(self, path: str | Path) -> Level:
+        """Build a level script into this game and return the level, whose things have names: `level["ball"]`.
+
+        Raises LevelError with all its errors, AssetError if it is missing; nothing is added then.
+        """
+        from evilengine import level  # games without levels need no parser
+
+        return level.load(self, self.find(path))
+
     def find(self, name: str | Path) -> Path:
         """The file called `name`, in the game's folder or in the current one. Raises AssetError if it is in neither."""
         for folder in (self.folder, Path.cwd()):
@@ -326,9 +353,11 @@ class Game:
             self.close()
 
     def _run_window(self, seconds: float) -> None:
-        start = time.perf_counter()
-        while self.running and time.perf_counter() - start < seconds:
-            self.frame(time.perf_counter())
+        start = now = time.perf_counter()
+        while self.running and now - start < seconds:
+            self.frame(now)
+            keep_pace(self.device, now)
+            now = time.perf_counter()
 
     def _run_headless(self, seconds: float) -> None:
         for count in range(round(seconds / STEP) + 1):

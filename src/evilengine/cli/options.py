@@ -1,0 +1,52 @@
+"""Arguments that several commands share."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import re
+
+
+def add_picture_arguments(parser: argparse.ArgumentParser) -> None:
+    """--size, --renderer and --debug-view."""
+    parser.add_argument("--size", type=size, metavar="WxH", help="size of the picture, such as 960x540")
+    parser.add_argument("--renderer", choices=("auto", "soft"), default="auto", help="who draws (default: auto)")
+    parser.add_argument("--debug-view", action="store_true", help="show outlines, contact normals and gravity")
+
+
+def size(text: str) -> tuple[int, int]:
+    """`960x540` as numbers.
+
+    >>> size("960x540")
+    (960, 540)
+    """
+    match = re.fullmatch(r"(\d{1,5})[x*](\d{1,5})", text.strip().lower())
+    width, height = (int(part) for part in match.groups()) if match else (0, 0)
+    if not (16 <= width <= 8192 and 16 <= height <= 8192):
+        raise argparse.ArgumentTypeError(f"{text!r} must be WIDTHxHEIGHT, each 16 to 8192, such as 960x540")
+    return width, height
+
+
+def seconds(text: str) -> float:
+    """A time of play: more than 0, at most an hour."""
+    return _number(text, 1e-3, 3600.0, "a number of seconds, at most 3600")
+
+
+def moment(text: str) -> float:
+    """A moment of play: 0 or more, at most an hour."""
+    return _number(text, 0.0, 3600.0, "a number of seconds, 0 to 3600")
+
+
+def fps(text: str) -> float:
+    """Frames a second: 1 to 120."""
+    return _number(text, 1.0, 120.0, "a number of frames a second, 1 to 120")
+
+
+def _number(text: str, least: float, most: float, meaning: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not least <= value <= most:
+        raise argparse.ArgumentTypeError(f"{text!r} must be {meaning}")
+    return value

@@ -1,0 +1,65 @@
+"""Play a level or a game: Prototype 1, an example, a level of yours (.evil) or a game (.py).
+
+While it plays:
+  F1                 debug view: outlines, contact normals, gravity
+  F2, P              pause, and go on
+  F3, .              one step, while paused
+  F5, R              start again
+  Escape             quit
+P, . and R are for levels; a game in Python may use letters itself.
+A level that changes on disk is loaded again; one with errors is shown with them, and the old one plays on.
+In levels with tilt, the arrow keys, the mouse wheel or a pad's stick turn gravity. Drag things by mouse or finger.
+
+Without a screen it films ten seconds instead and prints where the film is.
+"""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+from pathlib import Path
+
+from evilengine.cli import options, sources
+
+FILM_SECONDS = 10.0
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("what", nargs="?", default="prototype1", metavar="LEVEL|GAME|EXAMPLE", help="what to play")
+    parser.add_argument("--headless", action="store_true", help="open no window: film it")
+    parser.add_argument("--film", metavar="FILE", help="film it to FILE (.webp, .gif, .png) instead of playing")
+    parser.add_argument("--seconds", type=options.seconds, metavar="S", help="stop after S seconds")
+    options.add_picture_arguments(parser)
+
+
+def run(args: argparse.Namespace) -> int:
+    path = sources.source(args.what)
+    if args.headless or args.film or not _screen():
+        from evilengine.cli import film
+
+        target = Path(args.film) if args.film else _writable_folder() / f"{path.stem}.webp"
+        shot = film.Shot(size=args.size, renderer=args.renderer, debug_view=args.debug_view)
+        print(film.film(path, target, shot, seconds=args.seconds or FILM_SECONDS))
+        return 0
+    from evilengine.cli.player import Player
+
+    Player(path, size=args.size, renderer=args.renderer, debug_view=args.debug_view, seconds=args.seconds).play()
+    return 0
+
+
+def _screen() -> bool:
+    from evilengine.platform import screen_available
+
+    screen = screen_available()
+    if not screen:
+        print(f"{screen.reason}; this is a film instead of a window")
+    return bool(screen)
+
+
+def _writable_folder() -> Path:
+    """The current folder, or the one for temporary files where nothing may be written here."""
+    try:
+        with tempfile.TemporaryFile(dir="."):
+            return Path()
+    except OSError:
+        return Path(tempfile.gettempdir())

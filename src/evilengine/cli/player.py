@@ -1,0 +1,180 @@
+"""The window of `evil play`: keys of its own, starting again, and levels that are loaded again when they change."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from evilengine.cli.stage import level_game, perform
+from evilengine.values.errors import Error, LevelError
+from evilengine.values.events import Event, KeyEvent
+
+if TYPE_CHECKING:
+    from evilengine.game import Game
+    from evilengine.platform import Device
+    from evilengine.scene import Text
+
+KEYS = {"f1": "debug", "f2": "pause", "f3": "step", "f5": "again", "escape": "quit"}
+LEVEL_KEYS = {"p": "pause", "period": "step", "r": "again"}
+"""Letters are free for games written in Python; in a level nobody else uses them."""
+
+HINT = "F1 debug view     F2 pause     F3 one step     F5 start again     Esc quit"
+LEVEL_HINT = "F1 debug view     P pause     F3 one step     R start again     Esc quit"
+TILT_HINT = "Arrow keys tilt, the mouse drags     "
+HINT_SECONDS = 8.0
+
+WATCH_SECONDS = 0.25
+"""Between two looks at the level's file: soon enough to feel immediate, seldom enough to cost nothing."""
+
+MOST_ERRORS = 8
+"""Errors of a level that the window shows; the terminal has them all."""
+
+
+class StartAgain(BaseException):
+    """The player wants the game from its beginning: unwinds a script past its own `except Exception`."""
+
+
+class Player:
+    """A stage with a window, which stays open while games come and go on it."""
+
+    def __init__(
+        self,
+        path: Path,
+        *,
+        size: tuple[int, int] | None = None,
+        renderer: str = "auto",
+        debug_view: bool = False,
+        seconds: float | None = None,
+        device: Device | None = None,
+        clock: Callable[[], float] = time.perf_counter,
+    ) -> None:
+        self.path = path
+        self.size = size
+        self.renderer = renderer
+        self.debug_view = debug_view
+        self.seconds = seconds
+        self.device = device
+        self.is_level = path.suffix != ".py"
+        self.game: Game | None = None
+        self._failure: Text | None = None  # why the level on disk is not the one that plays
+        self._wants_again = self._wants_step = False
+        self._stamp = _stamp(path)
+        self._clock = clock
+        self._looked = self._began = clock()
+
+    def play(self) -> None:
+        """Play until the player has enough."""
+        try:
+            again = True
+            while again:
+                try:
+                    perform(self.path, self, renderer=self.renderer)
+                    again = False
+                except StartAgain:
+                    pass
+        finally:
+            if self.device is not None:
+                self.device.close()
+
+    # The stage
+
+    def open(self, title: str, size: tuple[int, int]) -> Device:
+        """The window, opened for the first game."""
+        from evilengine.platform import open_device
+
+        if self.device is None:
+            self.device = open_device(title, self.size or size)
+        self.device.title = title
+        return self.device
+
+    def run(self, game: Game) -> None:
+        """Play `game`, or the one that takes its place, until it ends."""
+        from evilengine.game import keep_pace
+
+        self._take(game)
+        while self.game is not None and self.game.running:
+            now = self._clock()
+            if self.seconds is not None and now - self._began > self.seconds:
+                return
+            if now - self._looked > WATCH_SECONDS:
+                self._looked = now
+                self._look_at_the_file()
+            if self._wants_again:
+                self._again()
+            if self._wants_step:
+                self._wants_step = False
+                self.game.step()
+            self.game.frame(now)
+            keep_pace(self.game.device, now)
+
+    def _take(self, game: Game) -> None:
+        """Put `game` into the window, with the keys of this player."""
+        self.game = game
+        game.debug = game.debug or self.debug_view
+        game.on_event(self._key)
+        words = (TILT_HINT if game.tilt else "") + (LEVEL_HINT if self.is_level else HINT)
+        hint = game.text(words, at=(0, 26), anchor="top", size=15, colour="#ffffffc0")
+        game.timer.after(HINT_SECONDS, hint.destroy)
+
+    def _key(self, event: Event) -> None:
+        if not isinstance(event, KeyEvent) or not event.down or self.game is None:
+            return
+        match KEYS.get(event.key) or (LEVEL_KEYS.get(event.key) if self.is_level else None):
+            case "quit":
+                self.game.quit()
+            case "debug":
+                self.debug_view = self.game.debug = not self.game.debug
+            case "pause":
+                self.game.paused = not self.game.paused
+            case "step":
+                self._wants_step = self.game.paused
+            case "again":
+                self._wants_again = True
+
+    # Starting again
+
+    def _look_at_the_file(self) -> None:
+        stamp = _stamp(self.path)
+        if self.is_level and stamp is not None and stamp != self._stamp:  # an editor may take it away for a moment
+            self._stamp = stamp
+            self._wants_again = True
+
+    def _again(self) -> None:
+        """From the beginning, as it is on disk now; if that has errors, show them over the one that plays."""
+        self._wants_again = False
+        if not self.is_level:
+            raise StartAgain
+        try:
+            game = level_game(self.path, renderer=self.renderer)
+        except Error as error:
+            self._show_failure(error)
+        else:
+            self._failure = None  # it goes with the game that it was written on
+            self._take(game)
+
+    def _show_failure(self, error: Error) -> None:
+        print(error, file=sys.stderr)
+        assert self.game is not None
+        if self._failure is None:
+            self._failure = self.game.text("", at=(16, 16), size=15, colour="#ff9d8a")
+        lines = [f"{self.path.name} has errors, so the level as it was plays on:", *_headlines(error)]
+        self._failure.text = "\n".join(lines)
+
+
+def _headlines(error: Error) -> list[str]:
+    """What the window shows of an error: a line for each of a level's errors, the first few of them."""
+    found = [each.headline for each in error.errors] if isinstance(error, LevelError) else [str(error)]
+    more = [f"and {len(found) - MOST_ERRORS} more"] if len(found) > MOST_ERRORS else []
+    return [*found[:MOST_ERRORS], *more]
+
+
+def _stamp(path: Path) -> tuple[int, int] | None:
+    """What changes when the file does; None while there is none."""
+    try:
+        status = path.stat()
+    except OSError:
+        return None
+    return status.st_mtime_ns, status.st_size

@@ -1,0 +1,110 @@
+"""Every example that ships is played: it runs, it moves, it shows something, and it does so again alike."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from evilengine.cli import sources
+from evilengine.cli.stage import perform
+from evilengine.platform import HeadlessDevice
+
+EXAMPLES = sources.examples()
+GAMES = [example for example in EXAMPLES if example.path.suffix == ".py"]
+
+
+class Seconds:
+    """A stage that plays a few seconds and keeps the game and its last picture."""
+
+    def __init__(self, seconds, act=lambda game: None):
+        self.steps = round(60 * seconds)
+        self.act = act
+
+    def open(self, title, size):
+        return HeadlessDevice(size, title=title)
+
+    def run(self, game):
+        self.first = game.capture()
+        for _ in range(self.steps):
+            self.act(game)
+            game.step()
+        self.last = game.capture()
+        self.game = game
+
+
+def play(name, seconds, act=lambda game: None):
+    stage = Seconds(seconds, act)
+    perform(sources.example(name).path, stage)
+    return stage
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: example.name)
+def test_it_runs_moves_and_shows_something(example):
+    stage = play(example.name, 3)
+    assert len(stage.game.world.bodies) > 3
+    colours = {bytes(stage.last.tobytes()[at : at + 4]) for at in range(0, len(stage.last.tobytes()), 4 * 97)}
+    assert len(colours) >= 4
+    assert stage.first.tobytes() != stage.last.tobytes()
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: example.name)
+def test_it_plays_the_same_twice(example):
+    assert play(example.name, 3).game.world.checksum() == play(example.name, 3).game.world.checksum()
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: example.name)
+def test_nothing_leaves_the_picture(example):
+    """After a while everything is still in the room or was destroyed; nothing fell through a wall."""
+    game = play(
+        example.name, 8, lambda game: game.device.tilt(*((1, -1) if game.world.steps % 240 < 120 else (-1, -1)))
+    ).game
+    for body in game.world.bodies:
+        assert abs(body.position.x) < 30
+        assert abs(body.position.y) < 30
+
+
+@pytest.mark.parametrize("example", GAMES, ids=lambda example: example.name)
+def test_it_is_short_enough_to_read(example):
+    assert 15 <= len(example.path.read_text().splitlines()) <= 60
+
+
+@pytest.mark.parametrize("example", GAMES, ids=lambda example: example.name)
+def test_it_runs_as_a_module_without_a_screen(example):
+    screenless = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    done = subprocess.run(
+        [sys.executable, "-m", f"evilengine.examples.{example.name}"],
+        capture_output=True,
+        text=True,
+        env={**screenless, "SDL_VIDEODRIVER": ""},
+        timeout=60,
+    )
+    assert done.returncode == 0, done.stderr
+    assert "screen" in done.stderr
+
+
+def test_bodies_rain_and_land():
+    stage = play("bodies", 8)
+    assert any(body.tag == "ball" for body in stage.game.world.bodies)
+
+
+def test_the_chain_of_springs_holds_and_swings():
+    links = [body for body in play("springs", 6).game.world.bodies if body.kind == "dynamic"]
+    assert len(links) == 6
+    assert all(body.position.y < 4 for body in links)
+    assert max(body.position.length for body in links) < 20
+
+
+def test_a_tap_bursts_a_balloon():
+    tapped = []
+
+    def tap(game):
+        if game.world.steps == 30:
+            balloon = next(body for body in game.world.bodies if body.tag == "balloon")
+            game.device.touch(1, "began", at=game.camera.to_pixel(balloon.position))
+            tapped.append(balloon)
+
+    play("touch", 1, tap)
+    assert [balloon.alive for balloon in tapped] == [False]
