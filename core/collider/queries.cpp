@@ -4,40 +4,42 @@ namespace evil {
 namespace {
 
 struct Entry {
-    float fraction;
-    Vec2 normal; // body frame
+    double fraction; // in double: a long ray still meets its target to the millimetre
+    Vec2 normal;     // body frame
 };
 
 // Ray against circle: |p + t d - c|^2 = r^2, the smaller root.
 std::optional<Entry> enter_circle(const Piece& piece, Vec2 start, Vec2 d) {
-    Vec2 from = start - piece.centre;
-    double a = double(d.x) * d.x + double(d.y) * d.y, b = double(from.x) * d.x + double(from.y) * d.y;
-    double c = double(from.x) * from.x + double(from.y) * from.y - double(piece.radius) * piece.radius;
+    double x = double(start.x) - piece.centre.x, y = double(start.y) - piece.centre.y;
+    double a = double(d.x) * d.x + double(d.y) * d.y, b = x * d.x + y * d.y;
+    double c = x * x + y * y - double(piece.radius) * piece.radius;
     double under = b * b - a * c;
     if (c < 0.0 || b >= 0.0 || under < 0.0 || a == 0.0) return {};
-    auto t = static_cast<float>((-b - std::sqrt(under)) / a);
-    if (t > 1.0f) return {};
-    t = std::max(t, 0.0f);
-    return Entry{t, normalised(from + t * d)};
+    double t = (-b - std::sqrt(under)) / a;
+    if (t > 1.0) return {};
+    t = std::max(t, 0.0);
+    return Entry{t, normalised(Vec2{static_cast<float>(x + t * d.x), static_cast<float>(y + t * d.y)})};
 }
 
 // Ray against convex polygon: cut it by each edge's half plane (Cyrus and Beck 1978).
 std::optional<Entry> enter_polygon(std::span<const Vec2> points, std::span<const Vec2> normals, Vec2 start, Vec2 d) {
-    float enter = -1.0f, leave = 1.0f;
+    double enter = -1.0, leave = 1.0;
     Vec2 normal;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        float height = dot(normals[i], start - points[i]), slope = dot(normals[i], d);
-        if (slope == 0.0f) {
-            if (height > 0.0f) return {};
-        } else if (slope < 0.0f) {
-            float t = -height / slope;
-            if (t > enter) enter = t, normal = normals[i];
+        Vec2 n = normals[i];
+        double height = double(n.x) * (double(start.x) - points[i].x) + double(n.y) * (double(start.y) - points[i].y);
+        double slope = double(n.x) * d.x + double(n.y) * d.y;
+        if (slope == 0.0) {
+            if (height > 0.0) return {};
+        } else if (slope < 0.0) {
+            double t = -height / slope;
+            if (t > enter) enter = t, normal = n;
         } else {
             leave = std::min(leave, -height / slope);
         }
         if (enter > leave) return {};
     }
-    if (enter < 0.0f) return {}; // it starts inside, or leads away
+    if (enter < 0.0) return {}; // it starts inside, or leads away
     return Entry{enter, normal};
 }
 
@@ -60,18 +62,19 @@ void by_creation(const Bodies& bodies, std::vector<std::uint32_t>& found) {
 std::optional<RayHit> ray_cast(const Shapes& shapes, const Bodies& bodies, Vec2 start, Vec2 end,
                                std::optional<BodyKind> only) {
     RayHit best;
+    double nearest = 1.0;
     for_each_piece(shapes, bodies, [&](const Piece& piece, const Body& body) {
         if (only && body.kind != *only) return;
         Vec2 s = untransform(body.pose, start), d = unrotate(body.pose.q, end - start);
         std::optional<Entry> hit = piece.count == 0
                                        ? enter_circle(piece, s, d)
                                        : enter_polygon(points_of(shapes, piece), normals_of(shapes, piece), s, d);
-        bool nearer = hit && (hit->fraction < best.fraction || (best.body == kNone && hit->fraction <= best.fraction));
-        if (nearer)
-            best = {piece.shape, piece.body, start + hit->fraction * (end - start),
-                    rotate(body.pose.q, hit->normal) + Vec2{}, // no -0
-
-                    hit->fraction};
+        if (!hit || hit->fraction > nearest || (hit->fraction == nearest && best.body != kNone)) return;
+        double t = nearest = hit->fraction;
+        Vec2 point{static_cast<float>(start.x + t * (double(end.x) - start.x)),
+                   static_cast<float>(start.y + t * (double(end.y) - start.y))};
+        Vec2 normal = rotate(body.pose.q, hit->normal) + Vec2{}; // no -0
+        best = {piece.shape, piece.body, point, normal, static_cast<float>(t)};
     });
     if (best.body == kNone) return {};
     return best;

@@ -18,7 +18,7 @@ std::optional<RayHit> ray_cast(const Shapes& shapes, const Bodies& bodies, Vec2 
 
 bool contains(const Shapes& shapes, const Piece& piece, const Pose& pose, Vec2 point);
 
-// Bodies with a shape over the point, or overlapping any of the pieces of `probe` (placed in world coordinates), by slot.
+// Bodies with a shape over the point, or overlapping any of the pieces of `probe` (placed in world coordinates), in creation order.
 void bodies_at(const Shapes& shapes, const Bodies& bodies, Vec2 point, std::vector<std::uint32_t>& found);
 void bodies_overlapping(const Shapes& shapes, const Bodies& bodies, const Shapes& probe,
                         std::vector<std::uint32_t>& found);

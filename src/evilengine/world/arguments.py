@@ -39,10 +39,10 @@ def flag(value: object, owner: str, argument: str) -> bool:
     return value
 
 
-def place(value: object, owner: str) -> Vec2:
-    at = to_vec2(value, owner, "at")
+def place(value: object, owner: str, argument: str = "at") -> Vec2:
+    at = to_vec2(value, owner, argument)
     if at.length > WORLD_EDGE:
-        raise ArgumentError(f"{owner}: at={value!r} must be within {WORLD_EDGE:g} metres of the origin")
+        raise ArgumentError(f"{owner}: {argument}={value!r} must be within {WORLD_EDGE:g} metres of the origin")
     return at
 
 

@@ -288,14 +288,15 @@ class World:
     def ray_cast(self, start: Point, end: Point) -> RayHit | None:
         """First shape that the segment from `start` to `end` enters (world coordinates, metres), or None.
 
-        A shape that the segment starts in does not count.
+        A shape that the segment starts in does not count. Both must be within 1e7 metres of the origin.
 
         >>> world = evil.World(); wall = world.add(evil.Rectangle(1, 4), at=(5, 0), kind="static")
         >>> hit = world.ray_cast((0, 0), (10, 0))
         >>> hit.body is wall, hit.point, hit.normal
         (True, Vec2(4.5, 0.0), Vec2(-1.0, 0.0))
         """
-        hit = self._core.ray_cast(start, end)
+        me = "World.ray_cast"
+        hit = self._core.ray_cast(place(start, me, "start"), place(end, me, "end"))
         if hit is None:
             return None
         body, shape, point, normal, fraction = hit
