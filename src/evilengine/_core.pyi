@@ -1,0 +1,722 @@
+"""EvilEngine's C++ core. Use evilengine, its public face."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import evilengine.values.vec2
+
+
+class View:
+    """
+    One of the world's arrays, a row for each slot: a read-only float32 buffer that is not copied, refreshed after each step. `numpy.asarray(view)` works; `view[slot]` gives one value.
+    """
+
+    def __len__(self) -> int: ...
+
+    def __getitem__(self, arg: int, /) -> object: ...
+
+class ShapeSpec:
+    """
+    A shape as the core takes it: checked, counter-clockwise, split into convex parts.
+    """
+
+    @staticmethod
+    def circle(arg: float, /) -> ShapeSpec: ...
+
+    @staticmethod
+    def particle(arg: float, /) -> ShapeSpec: ...
+
+    @staticmethod
+    def polygon(arg0: object, arg1: str, /) -> ShapeSpec: ...
+
+    @property
+    def corners(self) -> tuple[evilengine.values.vec2.Vec2, ...]: ...
+
+class Shape:
+    """Reference to a shape on a body."""
+
+    def __init__(self, world: World, slot: int, generation: int) -> None: ...
+
+    @property
+    def alive(self) -> bool:
+        """False once it was destroyed, or restored away."""
+
+    @property
+    def slot(self) -> int:
+        """Row of this object in the world's arrays."""
+
+    @property
+    def generation(self) -> int:
+        """How often that row has been taken and freed."""
+
+    def __eq__(self, arg: object, /) -> bool: ...
+
+    def __hash__(self) -> int: ...
+
+    def _bury(self, arg: int, /) -> None: ...
+
+    @property
+    def friction(self) -> float:
+        """Friction coefficient; a pair mixes its two as sqrt(a b)."""
+
+    @friction.setter
+    def friction(self, arg: object, /) -> None: ...
+
+    @property
+    def restitution(self) -> float:
+        """0: no bounce, 1: full; a pair takes the larger."""
+
+    @restitution.setter
+    def restitution(self, arg: object, /) -> None: ...
+
+    @property
+    def density(self) -> float:
+        """Relative to water, 1.0: kilograms a square metre."""
+
+    @density.setter
+    def density(self, arg: object, /) -> None: ...
+
+    @property
+    def mass(self) -> float:
+        """
+        Kilograms that its density and area make; the body's mass unless that was set.
+        """
+
+    @property
+    def _body_slot(self) -> int: ...
+
+    @property
+    def outline(self) -> tuple[Any, ...]:
+        """
+        In the body's frame: ('circle', centre, radius), ('polygon', corners) or ('particle', centre).
+        """
+
+    @property
+    def _matrix(self) -> tuple[float, ...]: ...
+
+    def _apply_matrix(self, arg: object, /) -> None: ...
+
+    def _destroy(self) -> None: ...
+
+class BodySpec:
+    """What a new body shall be."""
+
+    def __init__(self, *, kind: int, at: object, angle: float, velocity: object, spin: float, damping: float, angular_damping: float, drag: float, gravity_scale: float, density: float, friction: float, restitution: float, mass: float, bullet: bool, touchable: bool, tag: str) -> None: ...
+
+def use(spec: ShapeSpec, offset: object, angle: float, density: float, friction: float, restitution: float) -> ShapeSpec:
+    """A shape with the place and material of one use."""
+
+class World:
+    """The simulation's state and kernels."""
+
+    def __init__(self) -> None: ...
+
+    def step(self, dt: float, substeps: int) -> None: ...
+
+    @property
+    def gravity(self) -> evilengine.values.vec2.Vec2: ...
+
+    @gravity.setter
+    def gravity(self, arg: object, /) -> None: ...
+
+    @property
+    def sleep(self) -> bool: ...
+
+    @sleep.setter
+    def sleep(self, arg: bool, /) -> None: ...
+
+    @property
+    def steps(self) -> int: ...
+
+    @property
+    def time(self) -> float: ...
+
+    def add(self, spec: BodySpec, shapes: Sequence[ShapeSpec]) -> int: ...
+
+    def add_shape(self, arg0: Body, arg1: ShapeSpec, /) -> int: ...
+
+    def material(self, arg: int, /) -> tuple[float, ...]: ...
+
+    def add_force(self, *, kind: int, everywhere: bool, vector: object, anchor: object, at_anchor: bool, target: int, stiffness: float, rest_length: float, damping: float, linear: float, quadratic: float, limit: float, area: ShapeSpec | None, area_at: object, area_angle: float) -> int: ...
+
+    def body_slots(self) -> list[int]: ...
+
+    def force_slots(self) -> list[int]: ...
+
+    def body_generation(self, arg: int, /) -> int: ...
+
+    def shape_generation(self, arg: int, /) -> int: ...
+
+    def force_generation(self, arg: int, /) -> int: ...
+
+    @property
+    def body_count(self) -> int: ...
+
+    @property
+    def begun(self) -> list[tuple[Any, ...]]: ...
+
+    @property
+    def ended(self) -> list[tuple[Any, ...]]: ...
+
+    @property
+    def active(self) -> list[tuple[Any, ...]]: ...
+
+    @property
+    def positions(self) -> View: ...
+
+    @property
+    def angles(self) -> View: ...
+
+    @property
+    def velocities(self) -> View: ...
+
+    @property
+    def matrices(self) -> View: ...
+
+    def ray_cast(self, start: object, end: object) -> tuple[Any, ...] | None: ...
+
+    def bodies_at(self, arg: object, /) -> list[int]: ...
+
+    def overlapping(self, shape: ShapeSpec, at: object, angle: float) -> list[int]: ...
+
+    def snapshot(self) -> bytes: ...
+
+    def restore(self, arg: Saved, /) -> None: ...
+
+    def checksum(self) -> int: ...
+
+class Saved:
+    """A snapshot that was read and found whole."""
+
+    def __init__(self, arg: bytes, /) -> None: ...
+
+    @property
+    def notes(self) -> list[str]: ...
+
+class Body:
+    """Reference to a body of a world."""
+
+    def __init__(self, world: World, slot: int, generation: int) -> None: ...
+
+    @property
+    def alive(self) -> bool:
+        """False once it was destroyed, or restored away."""
+
+    @property
+    def slot(self) -> int:
+        """Row of this object in the world's arrays."""
+
+    @property
+    def generation(self) -> int:
+        """How often that row has been taken and freed."""
+
+    def __eq__(self, arg: object, /) -> bool: ...
+
+    def __hash__(self) -> int: ...
+
+    def _bury(self, arg: int, /) -> None: ...
+
+    @property
+    def position(self) -> evilengine.values.vec2.Vec2:
+        """
+        Where the body's origin is, the point that its shapes are placed by (metres). Writing it moves the body at once.
+        """
+
+    @position.setter
+    def position(self, arg: object, /) -> None: ...
+
+    @property
+    def angle(self) -> float:
+        """Radians, counter-clockwise; it is not wrapped, so two turns are 4 pi."""
+
+    @angle.setter
+    def angle(self, arg: object, /) -> None: ...
+
+    @property
+    def velocity(self) -> evilengine.values.vec2.Vec2:
+        """Of the centre of mass, metres a second."""
+
+    @velocity.setter
+    def velocity(self, arg: object, /) -> None: ...
+
+    @property
+    def angular_velocity(self) -> float:
+        """Radians a second."""
+
+    @angular_velocity.setter
+    def angular_velocity(self, arg: object, /) -> None: ...
+
+    @property
+    def centre(self) -> evilengine.values.vec2.Vec2:
+        """The centre of mass, in the world."""
+
+    def velocity_at(self, point: object) -> evilengine.values.vec2.Vec2:
+        """Velocity of the body's matter at a point of the world."""
+
+    def to_world(self, point: object) -> evilengine.values.vec2.Vec2:
+        """A point of the body's own frame, in the world."""
+
+    def to_local(self, point: object) -> evilengine.values.vec2.Vec2:
+        """A point of the world, in the body's own frame."""
+
+    def apply_force(self, force: object, at: object | None = None) -> None:
+        """
+        Push with `force` (newtons) during the next step, at a point of the world; at the centre of mass without one.
+        """
+
+    def apply_impulse(self, impulse: object, at: object | None = None) -> None:
+        """
+        Change the velocity at once by an impulse (newton seconds), at a point of the world or the centre of mass.
+        """
+
+    def apply_torque(self, torque: object) -> None:
+        """Turn with `torque` (newton metres) during the next step."""
+
+    def apply_angular_impulse(self, impulse: object) -> None:
+        """Change the spin at once (kg m2/s)."""
+
+    @property
+    def force(self) -> evilengine.values.vec2.Vec2:
+        """Gathered by apply_force since the last step."""
+
+    @property
+    def torque(self) -> float:
+        """Gathered by apply_force and apply_torque since the last step."""
+
+    @property
+    def acceleration(self) -> evilengine.values.vec2.Vec2:
+        """
+        What gravity and forces gave it in the last step, contacts left out (m/s2).
+        """
+
+    @property
+    def mass(self) -> float:
+        """
+        Kilograms; infinite for a static or kinematic body. Writing it scales the inertia along.
+        """
+
+    @mass.setter
+    def mass(self, arg: object, /) -> None: ...
+
+    @property
+    def inertia(self) -> float:
+        """
+        About the centre of mass, kg m2; infinite for a static or kinematic body.
+        """
+
+    @property
+    def inverse_mass(self) -> float:
+        """1 / mass; 0: nothing moves it."""
+
+    @property
+    def inverse_inertia(self) -> float:
+        """1 / inertia; 0: nothing turns it."""
+
+    @property
+    def damping(self) -> float:
+        """Fraction of velocity kept per second; 1: none is lost."""
+
+    @damping.setter
+    def damping(self, arg: object, /) -> None: ...
+
+    @property
+    def angular_damping(self) -> float:
+        """Fraction of spin kept per second; 1: none is lost."""
+
+    @angular_damping.setter
+    def angular_damping(self, arg: object, /) -> None: ...
+
+    @property
+    def drag(self) -> float:
+        """How strongly drag and media act on it; 1 as they are, 0 not at all."""
+
+    @drag.setter
+    def drag(self, arg: object, /) -> None: ...
+
+    @property
+    def gravity_scale(self) -> float:
+        """How strongly the world's gravity acts on it."""
+
+    @gravity_scale.setter
+    def gravity_scale(self, arg: object, /) -> None: ...
+
+    @property
+    def friction(self) -> float:
+        """Of all its shapes; pairs mix as sqrt(a b)."""
+
+    @friction.setter
+    def friction(self, arg: object, /) -> None: ...
+
+    @property
+    def restitution(self) -> float:
+        """Of all its shapes; pairs take the larger."""
+
+    @restitution.setter
+    def restitution(self, arg: object, /) -> None: ...
+
+    @property
+    def _kind(self) -> int: ...
+
+    @_kind.setter
+    def _kind(self, arg: int, /) -> None: ...
+
+    @property
+    def bullet(self) -> bool:
+        """Marked as fast and thin, for continuous collision."""
+
+    @bullet.setter
+    def bullet(self, arg: bool, /) -> None: ...
+
+    @property
+    def touchable(self) -> bool:
+        """Fingers and the mouse can hold it."""
+
+    @touchable.setter
+    def touchable(self, arg: bool, /) -> None: ...
+
+    @property
+    def awake(self) -> bool:
+        """
+        False while it rests and costs nothing. A touch, a push or a change wakes it.
+        """
+
+    @awake.setter
+    def awake(self, arg: bool, /) -> None: ...
+
+    @property
+    def _tag(self) -> str: ...
+
+    @_tag.setter
+    def _tag(self, arg: str, /) -> None: ...
+
+    @property
+    def scale(self) -> evilengine.values.vec2.Vec2:
+        """
+        (x, y) that all its shapes are stretched by; mass follows unless it was set.
+        """
+
+    @scale.setter
+    def scale(self, arg: object, /) -> None: ...
+
+    @property
+    def _matrix(self) -> tuple[float, ...]: ...
+
+    def _apply_matrix(self, arg: object, /) -> None: ...
+
+    def _shape_slots(self) -> list[int]: ...
+
+    def _destroy(self) -> None: ...
+
+NO_SLOT: int = 4294967295
+
+class Force:
+    """Reference to a force of a world."""
+
+    def __init__(self, world: World, slot: int, generation: int) -> None: ...
+
+    @property
+    def alive(self) -> bool:
+        """False once it was destroyed, or restored away."""
+
+    @property
+    def slot(self) -> int:
+        """Row of this object in the world's arrays."""
+
+    @property
+    def generation(self) -> int:
+        """How often that row has been taken and freed."""
+
+    def __eq__(self, arg: object, /) -> bool: ...
+
+    def __hash__(self) -> int: ...
+
+    def _bury(self, arg: int, /) -> None: ...
+
+    @property
+    def vector(self) -> evilengine.values.vec2.Vec2: ...
+
+    @vector.setter
+    def vector(self, arg: object, /) -> None: ...
+
+    @property
+    def anchor(self) -> evilengine.values.vec2.Vec2: ...
+
+    @anchor.setter
+    def anchor(self, arg: object, /) -> None: ...
+
+    @property
+    def stiffness(self) -> float: ...
+
+    @stiffness.setter
+    def stiffness(self, arg: float, /) -> None: ...
+
+    @property
+    def rest_length(self) -> float: ...
+
+    @rest_length.setter
+    def rest_length(self, arg: float, /) -> None: ...
+
+    @property
+    def damping(self) -> float: ...
+
+    @damping.setter
+    def damping(self, arg: float, /) -> None: ...
+
+    @property
+    def linear(self) -> float: ...
+
+    @linear.setter
+    def linear(self, arg: float, /) -> None: ...
+
+    @property
+    def quadratic(self) -> float: ...
+
+    @quadratic.setter
+    def quadratic(self, arg: float, /) -> None: ...
+
+    @property
+    def limit(self) -> float: ...
+
+    @limit.setter
+    def limit(self, arg: float, /) -> None: ...
+
+    @property
+    def note(self) -> str: ...
+
+    @note.setter
+    def note(self, arg: str, /) -> None: ...
+
+    @property
+    def at_anchor(self) -> bool: ...
+
+    @property
+    def everywhere(self) -> bool: ...
+
+    @property
+    def kind(self) -> int: ...
+
+    @property
+    def target(self) -> int: ...
+
+    @property
+    def body_slots(self) -> list[int]: ...
+
+    def attach(self, arg: Body, /) -> None: ...
+
+    def detach(self, arg: Body, /) -> None: ...
+
+    def destroy(self) -> None: ...
+
+def sincos(angle: float) -> tuple[float, float]:
+    """
+    (sin, cos) of an angle in radians, rounded to 32 bits; the same bits on every machine.
+    """
+
+def atan2(y: float, x: float) -> float:
+    """Direction of (x, y) in radians, rounded to 32 bits."""
+
+def exponential(x: float) -> float:
+    """e to the power x, with the same bits on every machine."""
+
+def logarithm(x: float) -> float:
+    """Natural logarithm, with the same bits on every machine."""
+
+def power(base: float, exponent: float) -> float:
+    """base ** exponent for base >= 0, with the same bits on every machine."""
+
+def instruction_sets() -> list[str]:
+    """What wide kernels can run with on this machine; the last is used."""
+
+def mat4(values: object) -> tuple[float, ...]:
+    """16 numbers or 64 bytes as a matrix: finite, and rounded to 32 bits."""
+
+def mat4_rotation(angle: float) -> tuple[float, ...]:
+    """Rotation by radians."""
+
+def mat4_product(a: object, b: object) -> tuple[float, ...]:
+    """The matrix that applies b, then a."""
+
+def mat4_times(matrix: object, vector: object) -> tuple[float, ...]:
+    """Matrix times a point (a Vec2) or a vector of four (a tuple)."""
+
+def mat4_transposed(a: object) -> tuple[float, ...]:
+    """Rows as columns."""
+
+def mat4_inverse(a: object) -> tuple[float, ...] | None:
+    """The matrix that undoes a, or None."""
+
+def transform(matrix: object, points: object, instruction_set: str = '') -> memoryview:
+    """One matrix, or one for each, times points (n, 2) or vectors (n, 4)."""
+
+def multiply(a: object, b: object, instruction_set: str = '') -> memoryview:
+    """Products of matrices, (n, 16) by (n, 16), or one by many."""
+
+def polygon_problem(points: object) -> str | None:
+    """
+    What is wrong with a polygon, in words, or None when it is simple and of a size that works.
+    """
+
+def triangulate(points: object) -> list[tuple[int, int, int]]:
+    """
+    Counter-clockwise triangles of corner numbers that fill a simple polygon, without new corners.
+    """
+
+def split_convex(points: object) -> list[list[int]]:
+    """
+    Few convex, counter-clockwise parts of corner numbers that fill a simple polygon, without new corners.
+    """
+
+def convex_hull(points: object) -> list[int]:
+    """
+    Numbers of the points on the convex hull, counter-clockwise from the leftmost.
+    """
+
+def signed_area(points: object | None) -> float:
+    """
+    Area in square metres, positive when the corners run counter-clockwise.
+    """
+
+def is_convex(points: object | None) -> bool:
+    """Does a simple polygon turn one way only? Straight corners are allowed."""
+
+def polygon_mass(points: object, density: float = 1.0) -> tuple[float, float, tuple[float, float]]:
+    """(mass, second moment about the centre, centre) of a simple polygon."""
+
+def circle_mass(radius: float, density: float = 1.0) -> tuple[float, float, tuple[float, float]]:
+    """(mass, second moment about the centre, centre) of a circle."""
+
+class DrawList:
+    """
+    Meshes and instances to draw, back to front; see core/draw/draw_list.hpp.
+    """
+
+    def __init__(self) -> None: ...
+
+    def clear(self) -> None:
+        """Forget every mesh and instance; keeps the memory."""
+
+    def polygon(self, points: object, *, uvs: object | None = None, colours: object | None = None, triangles: object | None = None) -> int:
+        """
+        Add a polygon and return its mesh's index. uvs default to the bounding box; colours are 0xAABBGGRR.
+        """
+
+    def circle(self, radius: object, *, at: object = (0.0, 0.0), colour: object = 4294967295) -> int:
+        """Add a circle and return its mesh's index."""
+
+    def instance(self, mesh: object, to_pixel: object | None = None, *, tint: object = 4294967295, texture: object = 0, outline: float = 0.0, to_texture: object | None = None) -> None:
+        """
+        Draw a mesh once more, on top: matrices as a b c d tx ty, tint as 0xAABBGGRR, outline in pixels.
+        """
+
+    @property
+    def vertex_count(self) -> int: ...
+
+    @property
+    def index_count(self) -> int: ...
+
+    @property
+    def mesh_count(self) -> int: ...
+
+    @property
+    def instance_count(self) -> int: ...
+
+class Raster:
+    """The software renderer; evilengine.renderer.soft is its face."""
+
+    def __init__(self) -> None: ...
+
+    def upload(self, pixels: object, width: int, height: int) -> int:
+        """
+        Keep a picture of straight r, g, b, a bytes; its id is for DrawList.instance().
+        """
+
+    def update(self, texture: int, pixels: object, width: int, height: int) -> None:
+        """Put another picture, of any size, under the same id."""
+
+    def release(self, texture: int) -> None:
+        """Forget a picture."""
+
+    def draw(self, list: DrawList, pixels: object, width: int, height: int, background: int = 4278190080, instructions: str = '') -> None:
+        """
+        Draw into `pixels`, rows of r, g, b, a multiplied with alpha; `instructions` forces one instruction set.
+        """
+
+def unpremultiply(pixels: object) -> None:
+    """Turn pixels multiplied with alpha into straight ones, in place."""
+
+class Scene:
+    """Drawings by slot and generation; evilengine.scene is the face."""
+
+    def __init__(self) -> None: ...
+
+    def __len__(self) -> int: ...
+
+    @property
+    def mesh_count(self) -> int: ...
+
+    def add_polygon(self, corners: object, body: tuple[int, int] | None = None, texture_points: object | None = None, colours: object | None = None) -> tuple[int, int]: ...
+
+    def add_circle(self, radius: float, body: tuple[int, int] | None = None) -> tuple[int, int]: ...
+
+    def add_shape(self, world: World, shape_slot: int, speck: float, texture_points: object | None = None, colours: object | None = None) -> tuple[int, int]: ...
+
+    def remove(self, slot: int, generation: int) -> None: ...
+
+    def alive(self, slot: int, generation: int) -> bool: ...
+
+    def tint(self, slot: int, generation: int) -> int: ...
+
+    def set_tint(self, slot: int, generation: int, value: int) -> None: ...
+
+    def edge(self, slot: int, generation: int) -> int: ...
+
+    def set_edge(self, slot: int, generation: int, value: int) -> None: ...
+
+    def edge_width(self, slot: int, generation: int) -> float: ...
+
+    def set_edge_width(self, slot: int, generation: int, value: float) -> None: ...
+
+    def texture(self, slot: int, generation: int) -> int: ...
+
+    def set_texture(self, slot: int, generation: int, value: int) -> None: ...
+
+    def layer(self, slot: int, generation: int) -> int: ...
+
+    def set_layer(self, slot: int, generation: int, value: int) -> None: ...
+
+    def visible(self, slot: int, generation: int) -> bool: ...
+
+    def set_visible(self, slot: int, generation: int, value: bool) -> None: ...
+
+    def lit(self, slot: int, generation: int) -> bool: ...
+
+    def set_lit(self, slot: int, generation: int, value: bool) -> None: ...
+
+    def matrix(self, slot: int, generation: int) -> tuple[float, float, float, float, float, float]: ...
+
+    def set_matrix(self, slot: int, generation: int, value: tuple[float, float, float, float, float, float]) -> None: ...
+
+    def texture_matrix(self, slot: int, generation: int) -> tuple[float, float, float, float, float, float]: ...
+
+    def set_texture_matrix(self, slot: int, generation: int, value: tuple[float, float, float, float, float, float]) -> None: ...
+
+    def collect(self, world: World, view: tuple[float, float, float, float, float, float], alpha: float, points: float) -> DrawList:
+        """
+        The frame at alpha (0..1) between the last two steps; good until the next one.
+        """
+
+    def debug(self, world: World, view: tuple[float, float, float, float, float, float], alpha: float, points: float, colours: Sequence[int], velocities: bool) -> tuple[int, int, int]:
+        """
+        Put the debug view on top of the collected frame; how many bodies, sleepers and contacts there are.
+        """
+
+    def arrow(self, x1: float, y1: float, x2: float, y2: float, width: float, colour: int) -> None: ...
+
+    def disc(self, x: float, y: float, radius: float, colour: int) -> None: ...
+
+    def box(self, left: float, top: float, right: float, bottom: float, colour: int) -> None: ...
+
+    def glyphs(self, boxes: bytes, x: float, y: float, texture: int, colour: int) -> None:
+        """
+        A row of textured boxes on top: eight float32 each, left top right bottom in pixels and in the texture.
+        """
