@@ -22,7 +22,7 @@ from evilengine.timer import Clock, Schedule
 from evilengine.values.callbacks import Callbacks
 from evilengine.values.checks import did_you_mean, known_keywords, number
 from evilengine.values.colour import ColourLike
-from evilengine.values.errors import ArgumentTypeError, AssetError, Error
+from evilengine.values.errors import ArgumentTypeError, AssetError, DeviceError, Error
 from evilengine.values.events import CloseEvent, Event, ResizeEvent
 from evilengine.values.font import Font
 from evilengine.values.image import Image
@@ -69,6 +69,11 @@ class Game:
     `headless=True` needs no screen: tests drive `game.device`, and `game.capture()` gives the picture. `renderer` is
     "auto" or "soft". With `tilt=True` gravity follows how the device is held, or the arrow keys, wheel or stick that
     stand in for it. `seed` starts `game.random`. Files are found beside the script that runs, or in `folder`.
+
+    Its callbacks are decorators. Each step: `on_key_press(key)`, `on_key_release(key)`, `on_pointer(pointer)`,
+    `on_touch(touch)`, `on_tilt(tilt)` and `on_shake()` for what the player did, then the timer's events, then
+    `on_update(dt)`, then the bodies' own. Each frame: `on_event(event)` for all that the device reports, also while
+    the game is paused, and `on_draw()` before the picture is drawn.
 
     >>> game = Game("Drop", headless=True)
     >>> ball = game.add(evil.Circle(0.5), at=(0, 4), colour="tomato")
@@ -413,10 +418,13 @@ def _open_device(title: str, size: tuple[int, int], headless: bool) -> Device:
     if stage is not None:
         return stage.open(title, size)
     if not headless:
-        screen = screen_available()
-        if screen:
+        try:
             return open_device(title, size)
-        print(f"{title}: {screen.reason}; it plays without one", file=sys.stderr)
+        except DeviceError:
+            screen = screen_available()
+            if screen:
+                raise
+            print(f"{title}: {screen.reason}; it plays without one", file=sys.stderr)
     return HeadlessDevice(size, title=title)
 
 

@@ -76,11 +76,14 @@ def _renderer() -> Lines:
     from evilengine.game import Game
 
     game = Game(headless=True)
-    game.capture()
+    best = min(_seconds(game.capture) for _ in range(5))
+    yield (f"soft, which needs no graphics card; an empty picture of 960x540 takes {1000 * best:.1f} ms",)
+
+
+def _seconds(work: Callable[[], object]) -> float:
     start = time.perf_counter()
-    game.capture()
-    milliseconds = 1000.0 * (time.perf_counter() - start)
-    yield (f"soft, which needs no graphics card; an empty picture of 960x540 takes {milliseconds:.1f} ms",)
+    work()
+    return time.perf_counter() - start
 
 
 def _devices() -> Lines:

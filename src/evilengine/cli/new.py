@@ -45,7 +45,7 @@ game.run()
 LEVEL = """# {title}: the room and what stands in it. `evil play level.evil` shows it alone.
 evil 1;
 gravity 0 -9.81;
-view 16 9;
+view 16.6 9.6;
 new walls 16 9;
 {boxes}
 """

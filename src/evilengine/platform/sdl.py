@@ -7,6 +7,7 @@ import functools
 import os
 import socket
 import sys
+import time
 import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -26,6 +27,10 @@ HINTS = {
     b"SDL_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR": b"0",  # leave the desktop's effects alone
     b"SDL_APP_NAME": b"EvilEngine",
 }
+PATIENCE = (0.0, 0.05, 0.2)
+"""Seconds to wait before each try at a display: an X server that its last window has just left starts anew, and turns
+callers away meanwhile."""
+
 SILENCE = 7  # one above SDL_LOG_PRIORITY_CRITICAL: SDL logs nothing
 
 
@@ -122,15 +127,18 @@ def start_video(sdl: Any) -> None:
     reason = "" if sdl.SDL_WasInit(sdl.SDL_INIT_VIDEO) else _no_display()
     if reason:
         raise DeviceError(f"no screen: {reason}")
-    sdl.SDL_ClearError()
-    with quiet():
-        failed = sdl.SDL_InitSubSystem(sdl.SDL_INIT_VIDEO) != 0
-    if failed:
-        raise DeviceError(f"no screen: {why(sdl)}")
-    if driver_of(sdl) in SEEN_BY_NOBODY and not os.environ.get("SDL_VIDEODRIVER"):
+    for pause in PATIENCE:
+        time.sleep(pause)
+        sdl.SDL_ClearError()
+        with quiet():
+            failed = sdl.SDL_InitSubSystem(sdl.SDL_INIT_VIDEO) != 0
+        if failed:
+            raise DeviceError(f"no screen: {why(sdl)}")
+        if driver_of(sdl) not in SEEN_BY_NOBODY or os.environ.get("SDL_VIDEODRIVER"):
+            return
         stop_video(sdl)  # what SDL falls back to when no display opens
-        display = os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY", "")
-        raise DeviceError(f"no screen: the display {display!r} cannot be opened")
+    display = os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY", "")
+    raise DeviceError(f"no screen: the display {display!r} cannot be opened")
 
 
 def driver_of(sdl: Any) -> str:
