@@ -47,7 +47,7 @@ def film(path: Path, target: Path, shot: Shot, *, seconds: float = 10.0, fps: fl
     _check_ending(target, FILMS, "a film")
     if seconds * fps > MOST_FRAMES:
         raise ArgumentError(
-            f"evil: {seconds:g} s at {fps:g} frames a second are more than {MOST_FRAMES} frames; make it shorter"
+            f"{seconds:g} s at {fps:g} frames a second are more than {MOST_FRAMES} frames; make it shorter"
         )
     return _perform(path, target, _Film(target, shot, max(1, round(seconds * fps)), fps), shot)
 
@@ -143,13 +143,13 @@ class _Picture(_Camera):
 def _perform(path: Path, target: Path, stage: _Camera, shot: Shot) -> Path:
     perform(path, stage, renderer=shot.renderer)
     if not stage.done:
-        raise Error(f"evil: {path} ended without game.run(), so there is nothing to show")
+        raise Error(f"{path} ended without game.run(), so there is nothing to show")
     return target
 
 
 def _check_ending(target: Path, endings: tuple[str, ...], what: str) -> None:
     if target.suffix.lower() not in endings:
-        raise ArgumentError(f"evil: {target} must end in {', '.join(endings[:-1])} or {endings[-1]} to be {what}")
+        raise ArgumentError(f"{target} must end in {', '.join(endings[:-1])} or {endings[-1]} to be {what}")
 
 
 class Bar:

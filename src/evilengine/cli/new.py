@@ -75,7 +75,7 @@ def make(folder: Path) -> Path:
     """Write the small game into `folder`, which must not exist. Raises SaveError, and then nothing is left behind."""
     title = folder.name.replace("_", " ").replace("-", " ").strip().capitalize()
     if not title or not title.isprintable() or set(title) & set("\\\"'{}<>:|?*#;"):
-        raise SaveError(f"evil new: NAME={str(folder)!r} must name a folder: letters, digits, - and _")
+        raise SaveError(f"NAME={str(folder)!r} must name a folder: letters, digits, - and _")
     boxes = "\n".join(
         f'new rectangle 1 1 {x:g} {y:g} physicsOn colour "{colour}" tag "box";'
         for x, y, colour in ((4, -4, "#7a8ca8"), (4, -3, "#8fa1bb"), (4, -2, "#a4b6ce"), (-5, -4, "#8fa1bb"))

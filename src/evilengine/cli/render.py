@@ -38,9 +38,11 @@ def run(args: argparse.Namespace) -> int:
     from evilengine.cli import film
 
     if args.at is not None and args.seconds is not None:
-        raise ArgumentError("evil render: --at makes a picture and --seconds a film; give one of them")
+        raise ArgumentError("--at makes a picture and --seconds a film; give one of them")
     path, target = sources.source(args.what), Path(args.output)
     shot = film.Shot(size=args.size, renderer=args.renderer, sway=args.tilt == "sway", debug_view=args.debug_view)
+    if target.suffix.lower() not in film.FILMS + film.PICTURES:
+        raise ArgumentError(f"{target} must end in {', '.join(film.FILMS)} for a film, .png or .jpg for a picture")
     if args.at is not None or (target.suffix.lower() not in (".webp", ".gif") and args.seconds is None):
         print(film.picture(path, target, shot, at=PICTURE_SECONDS if args.at is None else args.at))
     else:
