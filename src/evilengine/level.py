@@ -57,6 +57,10 @@ def build(level: LevelScript, target: Game | World) -> Level:
     return Level(level, target)
 
 
+_RULES = (commands.OnContact, commands.OnTouch, commands.OnKey, commands.OnShake)
+_COUNTED = (*_RULES, commands.AddForce, commands.AddDrawing, commands.AddText, commands.After, commands.Every)
+
+
 class Scope:
     """The names known in a block: its own, then those of the blocks round it."""
 
@@ -85,15 +89,19 @@ class Level:
         self._tags = Tags()
         self._texts: list[tuple[Text, tuple[str | Number, ...], Scope]] = []
         self._top = Scope()
-        self._undo: list[Callable[[], object]] = []
+        self._undo: list[Callable[[], object]] | None = []
+        """What takes back what was done so far; None once the level is built."""
+        self._others: list[Any] = []
+        """Forces, texts, drawings and events in waiting, for counting them."""
+        self._rules = 0
         self._full = False
         try:
             self._block(level.commands, self._top)
         except BaseException:
-            for each in reversed(self._undo):
+            for each in reversed(self._undo or ()):
                 each()
             raise
-        self._undo.clear()
+        self._undo = None
 
     def __getitem__(self, name: str) -> Any:
         """The body, force or text of that name. Raises KeyError if there is none, or if it is gone."""
@@ -105,10 +113,16 @@ class Level:
     def __contains__(self, name: object) -> bool:
         return name in self._top.things and self._top.things[str(name)].alive
 
+    def _on_failure(self, undo: Callable[[], object]) -> None:
+        if self._undo is not None:
+            self._undo.append(undo)
+
     # Blocks
 
     def _block(self, block: Block, scope: Scope) -> None:
         for command in block:
+            if isinstance(command, _COUNTED) and not self._has_room(command):
+                continue
             try:
                 self._carry_out(command, scope)
             except LevelError:
@@ -135,7 +149,7 @@ class Level:
                 self._add_force(command, scope)
             case commands.SetGravity(gravity=gravity):
                 before, self.world.gravity = self.world.gravity, self._pair(gravity, scope)
-                self._undo.append(lambda: setattr(self.world, "gravity", before))
+                self._on_failure(lambda: setattr(self.world, "gravity", before))
             case commands.Let(name=name, value=value):
                 scope.numbers[name] = self._number(value, scope)
             case commands.SetNumber(name=name, value=value):
@@ -179,7 +193,8 @@ class Level:
                 self._add_text(command, scope, game)
             case commands.After(seconds=seconds, block=block):
                 event = game.timer.after(self._number(seconds, scope), lambda: self._later(block, scope))
-                self._undo.append(event.cancel)
+                self._others.append(event)
+                self._on_failure(event.cancel)
             case commands.Every():
                 self._every(command, scope, game)
             case commands.OnKey() | commands.OnShake() | commands.OnTouch():
@@ -228,9 +243,7 @@ class Level:
         shapes = [self._made(each, scope) for each in command.shapes]
         options = self._looks(command.options, scope)
         if len(self.world.bodies) >= MAX_BODIES:
-            if not self._full:
-                self._full = True
-                logging.getLogger(__name__).warning("%s: %d things are enough", self.script.file, MAX_BODIES)
+            self._enough()
             return
         shape = shapes[0] if len(shapes) == 1 else shapes
         if self.game is not None:
@@ -240,8 +253,28 @@ class Level:
         self._made_thing(body, command.name, scope)
         self._tags.add(body)
 
+    def _enough(self) -> None:
+        if not self._full:
+            self._full = True
+            logging.getLogger(__name__).warning(
+                "%s: there are %d things; no more are made", self.script.file, MAX_BODIES
+            )
+
+    def _has_room(self, command: commands.Command) -> bool:
+        """Whether one more of what is counted may be; a level that makes them for ever stays playable."""
+        if isinstance(command, _RULES):
+            self._rules += 1
+        if len(self._others) >= MAX_BODIES:
+            self._others = [each for each in self._others if each.alive]
+        if len(self._others) < MAX_BODIES and self._rules <= MAX_BODIES:
+            return True
+        self._enough()
+        return False
+
     def _made_thing(self, thing: Thing, name: str, scope: Scope) -> None:
-        self._undo.append(lambda: thing.alive and thing.destroy())
+        self._on_failure(lambda: thing.alive and thing.destroy())
+        if not isinstance(thing, Body):
+            self._others.append(thing)
         if name:
             scope.things[name] = thing
 
@@ -272,7 +305,7 @@ class Level:
             self._texts.append((text, command.pieces, scope))
             if len(self._texts) == 1:
                 game.on_draw(self._refresh)
-                self._undo.append(lambda: game.on_draw.remove(self._refresh))
+                self._on_failure(lambda: game.on_draw.remove(self._refresh))
 
     def _words(self, pieces: tuple[str | Number, ...], scope: Scope) -> str:
         shown = [each if isinstance(each, str) else f"{self._number(each, scope):.10g}" for each in pieces]
@@ -324,7 +357,8 @@ class Level:
             self._block(command.block, inner)
 
         event = game.timer.every(seconds, round_)
-        self._undo.append(event.cancel)
+        self._others.append(event)
+        self._on_failure(event.cancel)
 
     def _on_contact(self, command: commands.OnContact, scope: Scope) -> None:
         event = "on_collide" if command.begins else "on_separate"
@@ -375,10 +409,10 @@ class Level:
         match command:
             case commands.OnKey():
                 game.on_key_press(pressed)
-                self._undo.append(lambda: game.on_key_press.remove(pressed))
+                self._on_failure(lambda: game.on_key_press.remove(pressed))
             case commands.OnTouch():
                 game.on_touch(touched)
-                self._undo.append(lambda: game.on_touch.remove(touched))
+                self._on_failure(lambda: game.on_touch.remove(touched))
             case _:
                 game.on_shake(shaken)
-                self._undo.append(lambda: game.on_shake.remove(shaken))
+                self._on_failure(lambda: game.on_shake.remove(shaken))

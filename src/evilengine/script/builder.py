@@ -44,6 +44,8 @@ class Builder(ThingBuilder):
         """The commands of a block that shares the names of the one round it."""
         commands: list[Command] = []
         for statement in statements:
+            if self.source.full:
+                break
             commands += self._commands(statement)
         return tuple(commands)
 

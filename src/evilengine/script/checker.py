@@ -42,6 +42,8 @@ class Checker:
         self.names = Names(level.statements)
         self.first = level.statements[0] if level.statements else None
         self._lost = set(lost)
+        self._unbalanced = any(error.code in ("missing-brace", "odd-brace") for error in source.diagnostics)
+        """Whether nobody can tell where blocks end, and so which names are known where."""
         self.uncertain = 0
         """More than 0 inside an `if`, whose condition may rule out what its bounds allow."""
 
@@ -175,7 +177,7 @@ class Checker:
     def declare(self, made: Made) -> None:
         """Make a name known; two that are known at the same time cannot be equal."""
         before = self.names.find(made.name)
-        if before is not None and before.family != SOMETHING:
+        if before is not None and before.family != SOMETHING and not self._unbalanced:
             self.error(
                 "duplicate-name",
                 f"the name '{cut(made.name)}' is taken since line {before.place.line}",
@@ -219,9 +221,9 @@ class Checker:
             self.error("unknown-name", f"'{name}' is known only in the block of on collide, separate or touch", place,
                        "use a name that you gave with new")  # fmt: skip
             return
-        if name in self._lost or reserved(name):
-            return  # it stands in a statement that nobody understood, which has been said
         elsewhere = self.names.everywhere.get(name)
+        if name in self._lost or reserved(name) or (self._unbalanced and elsewhere is not None):
+            return  # it stands in a statement or block that nobody understood, which has been said
         if elsewhere is None:
             hint = self._alternatives(name, families)
             if not hint.startswith("did"):

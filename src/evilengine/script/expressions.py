@@ -17,6 +17,8 @@ _BINARY = {
     "!=": (4, "unequal"), "=": (4, "equal"),
     "+": (5, "add"), "-": (5, "subtract"), "*": (6, "multiply"), "/": (6, "divide"), "%": (6, "remainder"),
 }  # fmt: skip
+_SWALLOWING = {"missing-parenthesis", "missing-operator"}
+"""Errors after which a number may have taken the next one for a part of it."""
 _NOT = 3
 _NEGATE = 7
 
@@ -40,6 +42,12 @@ def cut(text: str) -> str:
     """`text`, shortened and without control characters, for use in a message."""
     text = "".join(letter if letter.isprintable() else "?" for letter in text)
     return text if len(text) <= 40 else text[:37] + "..."
+
+
+def _but(wanted: str, found: str) -> str:
+    """What is wanted, and what is there instead; before the example, if there is one."""
+    message, comma, example = wanted.partition(", as in: ")
+    return f"{message}, {found}{comma}{example}"
 
 
 class Expressions:
@@ -123,13 +131,18 @@ class Expressions:
     def number(self, wanted: str, *, another_follows: bool = False) -> Expression:
         """A number outside parentheses; `wanted` says what it is for, as in "angle needs a number, as in: angle 30"."""
         self._operations = self._depth = 0
-        start = self.token.start
+        start, before = self.token.start, len(self.source.diagnostics)
         value = self._single(wanted)
         if self._operator_follows():
             if another_follows and self.token.kind == "-" and self.next.kind == "number":
                 self._glued(start)
                 return value
+            del self.source.diagnostics[before:]
             value = self._loose_arithmetic(value, start)
+        if self.token.kind == ")" and len(self.source.diagnostics) > before:
+            del self.source.diagnostics[before:]
+            text = cut(self.source.text[start : self.token.end])
+            self.error("missing-parenthesis", "this ) has no ( before it", self.advance(), f"write ({text}")
         return value
 
     def _glued(self, start: int) -> None:
@@ -157,17 +170,17 @@ class Expressions:
         if token.kind == "string":
             bare = token.text.strip()
             hint = f"leave out the quotes: {bare}" if bare.replace(".", "", 1).lstrip("-").isdigit() else ""
-            self.error("missing-number", f"{wanted}, not text in quotes", token, hint)
+            self.error("missing-number", _but(wanted, "not text in quotes"), token, hint)
             self.advance()
         elif token.kind == "name" and self._is_foreign(token):
             meant = near(token.text, self.number_names)
             hint = f"did you mean ({meant})?" if meant else ""
-            self.error("missing-number", f"{wanted}, not {shown(token)}", token, hint)
+            self.error("missing-number", _but(wanted, f"not {shown(token)}"), token, hint)
             self.advance()
         elif token.kind in ("name", ";", "{", "}", "end"):
             self.error("missing-number", wanted, self.after_last())
         else:
-            self.error("missing-number", f"{wanted}, not {shown(token)}", token)
+            self.error("missing-number", _but(wanted, f"not {shown(token)}"), token)
             self.advance()
         raise Skip
 
@@ -193,7 +206,7 @@ class Expressions:
                 "loose-arithmetic", "arithmetic stands inside parentheses", self.span(sign.start), f"write ({text})"
             )
             return Operation("negate", (value_of,), sign.place) if sign.kind == "-" else value_of
-        self.error("missing-number", f"{wanted}; here is only a '{sign.text}'", sign)
+        self.error("missing-number", _but(wanted, f"not only a '{sign.text}'"), sign)
         self.advance()
         raise Skip
 
@@ -231,13 +244,22 @@ class Expressions:
         token = self.token
         if token.kind in ("number", "name", "(") and not token.first and token.text not in RESERVED:
             self.error("missing-operator", f"between this and {shown(token)} a sign such as + or * is missing", token)
-            raise Skip
+            self._skip_to_close()
+            return
         if token.kind == ",":
             self.error("odd-comma", "there is no comma inside parentheses; each number has its own", token)
-            raise Skip
+            self._skip_to_close()
+            return
         self.error("missing-parenthesis", "this ( has no ) to close it", opening, "put a ) where the arithmetic ends")
 
+    def _skip_to_close(self) -> None:
+        """On to behind the parenthesis that closes, or to the end of the statement."""
+        depth = 1
+        while depth > 0 and self.token.kind not in (";", "{", "}", "end") and not self.starts_statement(self.token):
+            depth += {"(": 1, ")": -1}.get(self.advance().kind, 0)
+
     def _call(self) -> Expression:
+        before = len(self.source.diagnostics)
         name = self.advance()
         opening = self.advance()
         self._deeper(opening)
@@ -247,6 +269,8 @@ class Expressions:
         self._close(opening)
         self._depth -= 1
         if len(arguments) != ARITY[name.text]:
+            if len(self.source.diagnostics) > before:
+                raise Skip
             one = ARITY[name.text] == 1
             wanted = "one number" if one else "two numbers with a comma between"
             example = f"{name.text}({'2' if one else '1, 2'})"
@@ -308,7 +332,10 @@ class Expressions:
         start = self.token.start
         if self.token.kind == "(" and self._comma_inside():
             return self._parenthesised_spot(wanted)
+        before = len(self.source.diagnostics)
         x = self.number(wanted, another_follows=True)
+        if not self.at_number() and any(each.code in _SWALLOWING for each in self.source.diagnostics[before:]):
+            return Spot(x, x, self.span(start))  # the first took the second for a part of it
         if self.token.kind == ",":
             x = self.comma(x)
         y = self.number(wanted.replace(", as in", "; here is only one, as in", 1))

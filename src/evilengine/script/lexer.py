@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from evilengine.script.word import UNITS
-from evilengine.script.words import near
+from evilengine.script.words import PROPERTY_WORDS, near
 from evilengine.values.level import Diagnostic, Place
 
 MAX_CHARACTERS = 500_000  # a level of ten thousand objects takes 600,000 at most; more is a wrong file, not a level
@@ -30,6 +30,8 @@ _TOKEN = re.compile(
 )
 _UNIT = re.compile(r"(?:m/s|km/h|deg/s|rad/s|°/s|°|[^\W\d]\w*)")
 _HEX = re.compile(r"#(?:[0-9a-fA-F]{8}|[0-9a-fA-F]{6}|[0-9a-fA-F]{3,4})\b")
+_WORDS = "|".join(sorted(PROPERTY_WORDS))
+_TEXT_END = re.compile(rf"(?<=#[0-9a-fA-F]{{6}})(?=\s)|\s+(?:{_WORDS})\b|;|\s+\{{(?=\s|$)|\}}\s*$")
 _COLOUR_WORDS = {"colour", "color", "background"}
 _LOOKALIKES = {"\uff1b": ";", "\u037e": ";", "\uff0c": ",", "\u2212": "-", "\u2013": "-", "\u2014": "-"}
 
@@ -68,9 +70,14 @@ class Source:
         length = min(end - start, len(self.lines[line - 1]) - column)
         return Place(line, column + 1, max(1, length))
 
+    @property
+    def full(self) -> bool:
+        """Whether there are so many errors that reading on is of no use."""
+        return len(self.diagnostics) > MAX_DIAGNOSTICS
+
     def error(self, code: str, message: str, place: Place, suggestion: str = "") -> None:
-        """Note an error; the first of several at the same spot is the one that counts."""
-        if len(self.diagnostics) > MAX_DIAGNOSTICS:
+        """Note an error."""
+        if self.full:
             return
         if len(self.diagnostics) == MAX_DIAGNOSTICS:
             code, message = "too-many-errors", "there are more errors after this one"
@@ -117,12 +124,16 @@ def _end(source: Source, before: list[Token]) -> Token:
 def _pieces(source: Source, before: list[Token]) -> Iterator[tuple[str, str, int, int]]:
     """(kind, text, start, end) of each token, with what is odd reported and mended."""
     text, position = source.text, 0
-    while position < len(text):
+    while position < len(text) and not source.full:
         match = _TOKEN.match(text, position)
         assert match is not None, "the last alternative takes any character"
         kind, piece, start = match.lastgroup or "odd", match.group(), position
         position = match.end()
-        if kind == "comment":
+        if kind == "string":
+            for token in _string(source, piece, start):
+                position = token[3]
+                yield token
+        elif kind == "comment":
             colour = _HEX.match(piece)
             if colour and before and before[-1].text in _COLOUR_WORDS:  # `colour #f00;` would be a comment
                 position = start + colour.end()
@@ -140,8 +151,6 @@ def _pieces(source: Source, before: list[Token]) -> Iterator[tuple[str, str, int
             yield kind, text[start:position], start, position
         elif kind in ("name", "mark"):
             yield piece if kind == "mark" else kind, piece, start, position
-        elif kind == "string":
-            yield from _string(source, piece, start)
         elif kind == "quoted":
             content = piece[1:-1]
             source.error(
@@ -163,16 +172,17 @@ def _pieces(source: Source, before: list[Token]) -> Iterator[tuple[str, str, int
 
 
 def _string(source: Source, piece: str, start: int) -> Iterator[tuple[str, str, int, int]]:
-    if len(piece) > 1 and piece.endswith('"'):
+    closed = len(piece) > 1 and piece.endswith('"')
+    line = source.lines[source.place(start, start).line - 1]
+    if closed and (line.count('"') % 2 == 0 or not _TEXT_END.search(piece)):
         yield "string", piece[1:-1], start, start + len(piece)
         return
     message = 'this text has no end: a second " is missing on its line'
     source.error("unclosed-text", message, source.place(start, start + 1), 'put a " where the text ends')
-    # What was meant ends before the statement's semicolon, if the line has one; so nothing else looks wrong.
-    content, semicolon, _ = piece.partition(";")
+    # What was meant ends before the next word of the language, block or semicolon; then nothing else looks wrong.
+    end = _TEXT_END.search(piece)
+    content = piece[: end.start()] if end else piece.rstrip()
     yield "string", content[1:], start, start + len(content)
-    if semicolon:
-        yield ";", ";", start + len(content), start + len(content) + 1
 
 
 def _odd(source: Source, piece: str, start: int) -> Iterator[tuple[str, str, int, int]]:

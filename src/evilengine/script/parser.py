@@ -51,6 +51,9 @@ class Parser(Things):
     def __init__(self, source: Source, tokens: list[Token]) -> None:
         super().__init__(source, tokens)
         self._blocks = 0
+        kinds = [token.kind for token in tokens]
+        self._braces_missing = kinds.count("}") - kinds.count("{")
+        """How many blocks are closed that were never opened; the first that lacks its { is one of them."""
         self.lost: set[str] = set()
         """Words in statements that nobody understood: they may have made a name."""
 
@@ -66,6 +69,9 @@ class Parser(Things):
         """Statements up to a } or the end of the file."""
         result: list[StatementNode] = []
         while self.token.kind not in ("}", "end"):
+            if self.source.full:
+                self._at = len(self._tokens) - 1
+                break
             if self.take(";"):  # an empty statement
                 continue
             before = self._at
@@ -389,6 +395,13 @@ class Parser(Things):
         where = self.after_last()
         if not self.just_reported(where):
             self.error("missing-block", "what should happen is missing here, in { }, as in: { destroy ball; }", where)
+        if self._braces_missing > 0 and self.token.kind not in (";", "end"):
+            self._braces_missing -= 1
+            self._blocks += 1
+            result = self._statements() if self._shallow(self.token) else ()
+            self._blocks -= 1
+            self.take("}")
+            return result
         if self.starts_statement(self.token) and not self.token.first:
             self._blocks += 1
             statement = self._statement() if self._shallow(self.token) else self._lost()

@@ -18,7 +18,7 @@ PROPERTIES: tuple[Property, ...] = (
         settable="position",
         doc="Where it is, in metres: to the right and up from the origin. Without it, in the middle: `0 0`.",
         example="new circle 0.5 at 2 3;",
-        meant=("position", "pos", "place", "location", "x", "y"),
+        meant=("position", "pos", "place", "location"),
     ),
     Property(
         word="angle",
@@ -314,7 +314,7 @@ PROPERTIES: tuple[Property, ...] = (
         range=Range(least=-10_000.0, most=10_000.0),
         doc="Where it stands on the screen: points to the right and down from the top left corner.",
         example='text "Hello" at 20 20;',
-        meant=("position", "pos", "place", "location", "x", "y"),
+        meant=("position", "pos", "place", "location"),
     ),
     Property(
         word="size",

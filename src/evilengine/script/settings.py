@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+
 from evilengine.script.expressions import Expressions, Skip, cut, shown
 from evilengine.script.lexer import Token
 from evilengine.script.syntax import Identifier, Item, Setting, Text
@@ -53,9 +55,7 @@ class Settings(Expressions):
         return near_statement(token.text) is not None or token.text in KINDS
 
     def near_property(self, word: str, family: str) -> str | None:
-        if family:
-            return near_property(word, family)
-        return near(word, PROPERTY_WORDS)
+        return near_property(word, family) if family else _near_any(word)
 
     def _setting(self, family: str) -> tuple[Setting, ...]:
         """A property; none, after an error that left nothing to use."""
@@ -74,7 +74,8 @@ class Settings(Expressions):
             self._unknown_property(token, family, suggestion)
             if suggestion is None:
                 self.advance()
-                raise Skip
+                self._skip_values()
+                return ()
             entry = property_of(suggestion, family) or next(each for each in PROPERTIES if each.word == suggestion)
         self.advance()
         return (Setting(entry.word, self._values(entry), token.place),)
@@ -243,6 +244,18 @@ class Settings(Expressions):
 
     # Finding back
 
+    def _skip_values(self) -> None:
+        """Step over what seems to be the value of a word that nobody knows."""
+        token = self.token
+        stands_alone = self.next.kind not in ("number", "string", "(", "-")
+        if token.kind == "name" and token.text not in RESERVED and not token.first and stands_alone:
+            self.advance()
+            return
+        depth = 0
+        while self.token.kind not in (";", "{", "}", "end") and (depth > 0 or self.token.kind != "name"):
+            depth += {"(": 1, ")": -1}.get(self.token.kind, 0)
+            self.advance()
+
     def resync(self) -> None:
         """After an error: on to the next property, or to where the statement ends."""
         while True:
@@ -250,7 +263,9 @@ class Settings(Expressions):
             if token.kind in (";", "{", "}", "end") or self.starts_statement(token):
                 return
             if token.kind == "name" and (
-                token.text in PROPERTY_WORDS or (token.first and self._misspelt_statement(token))
+                token.text in PROPERTY_WORDS
+                or self.near_property(token.text, "") is not None
+                or (token.first and self._misspelt_statement(token))
             ):
                 return
             self.advance()
@@ -261,6 +276,11 @@ class Settings(Expressions):
             return False
         last = self.source.diagnostics[-1]
         return last.line == where.line and last.column == where.column
+
+
+@functools.lru_cache(maxsize=1000)
+def _near_any(word: str) -> str | None:
+    return near(word, PROPERTY_WORDS)
 
 
 def example_of(entry: Property) -> str:

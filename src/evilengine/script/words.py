@@ -8,6 +8,7 @@ kinds and properties to them.
 from __future__ import annotations
 
 import difflib
+import functools
 from collections.abc import Iterable, Mapping
 
 from evilengine.script.kinds import KINDS
@@ -68,14 +69,17 @@ def meant_for(words: Iterable[Word]) -> dict[str, str]:
     return {wrong.lower(): each.word for each in words for wrong in each.meant}
 
 
+@functools.lru_cache(maxsize=1000)
 def near_statement(wrong: str) -> str | None:
     return near(wrong, STATEMENTS, meant_for(STATEMENTS.values()))
 
 
+@functools.lru_cache(maxsize=1000)
 def near_kind(wrong: str) -> str | None:
     return near(wrong, KINDS, meant_for(KINDS.values()))
 
 
+@functools.lru_cache(maxsize=1000)
 def near_property(wrong: str, family: str) -> str | None:
     """The property word of this family, or failing that of any, that `wrong` is near to."""
     own = properties_of(family)
