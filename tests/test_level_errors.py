@@ -10,6 +10,8 @@ import pytest
 
 from evilengine import script
 from evilengine.cli import check
+from evilengine.script.lexer import Source, tokens
+from evilengine.script.words import EVENTS, KINDS, PROPERTY_WORDS, STATEMENTS
 from evilengine.values.errors import AssetError, LevelError
 
 GOLDEN = Path(__file__).parent / "golden" / "level_errors.txt"
@@ -86,6 +88,47 @@ def test_a_missing_semicolon_never_changes_what_the_next_statement_means() -> No
         level, errors = script.check("\n".join(lines))
         assert [error.code for error in errors] == ["missing-semicolon"]
         assert level.commands == whole.commands
+
+
+SHIPPED = sorted((Path(__file__).parent.parent / "src" / "evilengine" / "examples").glob("*.evil"))
+
+
+@pytest.mark.parametrize("path", SHIPPED, ids=[path.stem for path in SHIPPED])
+def test_each_semicolon_that_is_taken_out_of_a_level_is_one_error_at_its_place(path: Path) -> None:
+    text = path.read_text(encoding="utf-8")
+    for token in tokens(Source(text, "level.evil")):
+        if token.kind == ";":
+            (error,) = script.check(text[: token.start] + text[token.end :])[1]
+            assert (error.code, error.line, error.column) == (
+                "missing-semicolon",
+                token.place.line,
+                token.place.column,
+            )
+
+
+@pytest.mark.parametrize("path", SHIPPED, ids=[path.stem for path in SHIPPED])
+def test_each_word_of_the_language_that_is_misspelt_is_one_error_that_suggests_it(path: Path) -> None:
+    text = path.read_text(encoding="utf-8")
+    known = {*STATEMENTS, *KINDS, *PROPERTY_WORDS, *EVENTS}
+    for token in tokens(Source(text, "level.evil")):
+        if token.kind == "name" and token.text in known and len(token.text) >= 4:
+            misspelt = token.text[:2] + token.text[3] + token.text[2] + token.text[4:]
+            if misspelt == token.text:
+                misspelt = token.text[:2] + token.text[3:]
+            (error,) = script.check(text[: token.start] + misspelt + text[token.end :])[1]
+            assert (error.line, error.column) == (token.place.line, token.place.column)
+            assert f"{token.text}'" in error.suggestion
+
+
+@pytest.mark.parametrize("mark", "(){}")
+def test_a_bracket_that_is_taken_out_is_seldom_more_than_one_error(mark: str) -> None:
+    found = []
+    for path in SHIPPED:
+        text = path.read_text(encoding="utf-8")
+        places = [token for token in tokens(Source(text, "level.evil")) if token.kind == mark]
+        found += [len(script.check(text[: token.start] + text[token.end :])[1]) for token in places]
+    assert min(found) >= 1
+    assert sum(found) / len(found) < 1.2
 
 
 def test_a_misspelt_kind_still_makes_its_name_known() -> None:
