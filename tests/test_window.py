@@ -43,6 +43,7 @@ class MemoryScreen:
                 str(folder),
                 "-nolisten",
                 "tcp",
+                "-noreset",  # or it starts over when a window closes, and may turn away the next one meanwhile
             ],
             pass_fds=[write],
             stdout=subprocess.DEVNULL,
