@@ -12,11 +12,12 @@ from contextvars import ContextVar
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
-from evilengine.assets import Fonts, Images
+from evilengine.assets import Images, Pictures
 from evilengine.interaction import Grabs, Interaction, axis
 from evilengine.platform import Device, HeadlessDevice, open_device, screen_available
-from evilengine.renderer import Renderer, open_renderer
+from evilengine.renderer import open_renderer
 from evilengine.scene import LOOKS, Camera, Drawing, DrawnBody, Scene, Text
+from evilengine.scene.camera import POINTS_A_METRE
 from evilengine.scene.drawing import DEEPEST_LAYER
 from evilengine.timer import Clock, Schedule
 from evilengine.values.callbacks import Callbacks
@@ -24,7 +25,6 @@ from evilengine.values.checks import did_you_mean, known_keywords, number
 from evilengine.values.colour import ColourLike
 from evilengine.values.errors import ArgumentTypeError, AssetError, DeviceError, Error
 from evilengine.values.events import CloseEvent, Event, ResizeEvent
-from evilengine.values.font import Font
 from evilengine.values.image import Image
 from evilengine.values.inputs import Inputs, Keys, Pointer, Tilt, Touch
 from evilengine.values.tick import STEP
@@ -114,7 +114,7 @@ class Game:
         self.camera = Camera(view_height=view_height)
         self.device = device or _open_device(title, size, headless)  # last: nothing after it can leave a window behind
         self.camera.size = self.device.size
-        self._pictures = _Pictures(self.renderer, Images(self.folder, Path.cwd()))
+        self._pictures = Pictures(self.renderer, Images(self.folder, Path.cwd()), scale=self.device.scale)
         self.scene = Scene(self.world, textures=self._pictures.texture, fonts=self._pictures.font)
         self.timer = Schedule(lambda: self.world.steps)
         self.random = random.Random(seed)
@@ -177,6 +177,7 @@ class Game:
                 self.quit()
             elif isinstance(event, ResizeEvent):
                 self.camera.size = event.size
+                self._pictures.scale = self.device.scale
             self.on_event.run(event)
 
     def _step(self) -> None:
@@ -293,6 +294,15 @@ class Game:
         """Draw a shape that takes no part in the physics."""
         return self.scene.add(shape, **options)
 
+    def sprite(self, image: str, *, height: float | None = None, **options: Any) -> Drawing:
+        """Draw the image called `image`, `height` metres high or as large as it is: 50 logical points a metre.
+
+        Takes what `draw` takes; with `body=` it is drawn on that body, moves with it and stays out of the physics.
+        """
+        width, points = self._pictures.size(image)
+        high = points / POINTS_A_METRE if height is None else number(height, "Game.sprite", "height", above=0.0)
+        return self.scene.add(Rectangle(high * width / points, high), texture=image, **options)
+
     def text(self, text: str, **options: Any) -> Text:
         """Put a line of text on the screen, `at` logical points from its top left corner."""
         return self.scene.text(text, **options)
@@ -326,6 +336,13 @@ class Game:
             if (folder / name).is_file():
                 return folder / name
         raise AssetError(f"Game: there is no file {str(name)!r} in {self.folder} or in the current folder")
+
+    def reload_images(self) -> list[str]:
+        """Show the images whose files have changed as they are now; `evil play` asks for it while it plays.
+
+        An image that cannot be read any more stays as it was, and a line in the list says why.
+        """
+        return self._pictures.reload()
 
     @property
     def debug(self) -> bool:
@@ -383,31 +400,6 @@ class Game:
         self._refuse_in_a_callback("Game.capture")
         self._draw()
         return self.renderer.capture()
-
-
-class _Pictures:
-    """What the scene asks for by name or size: images and fonts, each given to the renderer once."""
-
-    def __init__(self, renderer: Renderer, images: Images) -> None:
-        self._renderer = renderer
-        self._images = images
-        self._all_fonts = Fonts()
-        self._textures: dict[str, int] = {}
-        self._fonts: dict[int, tuple[int, Font]] = {}
-
-    def texture(self, name: str) -> int:
-        if name not in self._textures:
-            self._textures[name] = self._renderer.upload(self._images.load(name))
-        return self._textures[name]
-
-    def size(self, name: str) -> tuple[int, int]:
-        return self._images.load(name).size
-
-    def font(self, pixels: int) -> tuple[int, Font]:
-        if pixels not in self._fonts:
-            font = self._all_fonts.load(pixels)
-            self._fonts[pixels] = self._renderer.upload(font.image), font
-        return self._fonts[pixels]
 
 
 _BODY_OPTIONS = frozenset(inspect.signature(World.add).parameters) - {"self", "shape"}

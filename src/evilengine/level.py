@@ -13,7 +13,7 @@ import logging
 import random
 from collections import ChainMap
 from collections.abc import Callable
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from evilengine import script
@@ -184,7 +184,7 @@ class Level:
             case commands.SetTilt(on=on):
                 game.tilt = on
             case commands.SetBackground(what=what):
-                game.add_background(what)
+                game.add_background(self._image(what) if PurePath(what).suffix else what)
             case commands.SetSeed(seed=seed):
                 game.random.seed(seed)
             case commands.AddDrawing():
@@ -295,7 +295,16 @@ class Level:
         values = {each.name: self._value(each.value, scope) for each in options}
         if values.pop("hidden", False):
             values["visible"] = False
+        if "texture" in values:
+            values["texture"] = self._image(values["texture"])
         return values
+
+    def _image(self, name: str) -> str:
+        """An image that lies beside the level, by the name that the game finds it by in its own folder."""
+        if self.game is None or not self.script.folder:
+            return name
+        beside, folder = Path(self.script.folder, name).resolve(), self.game.folder.resolve()
+        return (beside.relative_to(folder) if beside.is_relative_to(folder) else beside).as_posix()
 
     def _add_text(self, command: commands.AddText, scope: Scope, game: Game) -> None:
         words = self._words(command.pieces, scope)
@@ -325,6 +334,8 @@ class Level:
         if command.property == "tag":
             self._tags.change(thing, value)
             return
+        if command.property == "texture":
+            value = self._image(value)
         attribute, value = ("visible", not value) if command.property == "hidden" else (command.property, value)
         for each in getattr(thing, "drawings", ()) if command.of_drawings else (thing,):
             setattr(each, attribute, value)

@@ -2,5 +2,6 @@
 
 from evilengine.assets.fonts import Fonts
 from evilengine.assets.images import Images
+from evilengine.assets.pictures import Pictures
 
-__all__ = ["Fonts", "Images"]
+__all__ = ["Fonts", "Images", "Pictures"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -22,8 +23,28 @@ MAX_SIDE = 16384
 MAX_PIXELS = 2**26
 """8192 x 8192, a quarter of a gigabyte once decoded: beyond, a small file could fill the memory."""
 
+DENSE = 1.5
+"""Real pixels a logical point from which on a screen gets the pictures drawn for dense ones."""
+
+TWICE = "@2x"
+"""At the end of a file's name: drawn with two pixels for each point."""
+
 FORMATS = ("PNG", "JPEG", "WEBP", "GIF", "BMP", "TIFF", "TGA", "PPM", "ICO", "AVIF")
 """What is tried on a file, whatever its ending. Formats that start other programs (EPS) are not among them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """The file that shows a picture on a screen."""
+
+    path: Path
+    density: int
+    """Pixels a logical point that it was drawn with: 1, or 2 with TWICE in its name."""
+
+    @property
+    def plain(self) -> Path:
+        """One path for all densities of the same picture."""
+        return Path(os.path.abspath(self.path.with_stem(_plain(self.path.stem))))
 
 
 class Images:
@@ -63,10 +84,28 @@ class Images:
         for folder in self.folders:
             if _is(Path.is_file, folder / name):
                 return folder / name
+        raise self._missing(name)
+
+    def find_for(self, name: str | Path, scale: float) -> Found:
+        """The file of the picture called `name` for a screen with `scale` real pixels a logical point.
+
+        Beside `crate.png` there may be `crate@2x.png` for dense screens; either serves where the other is missing, and
+        both are found by either name. Raises AssetError if there is neither.
+        """
+        if isinstance(name, (str, Path)) and Path(name).name:
+            plain = Path(name).with_stem(_plain(Path(name).stem))
+            pair = Found(plain, 1), Found(plain.with_stem(plain.stem + TWICE), 2)
+            for folder in self.folders:
+                for one in reversed(pair) if scale >= DENSE else pair:
+                    if _is(Path.is_file, folder / one.path):
+                        return Found(folder / one.path, one.density)
+        return Found(self.find(name), 1)
+
+    def _missing(self, name: str | Path) -> AssetError:
         searched = " or ".join(str(folder) for folder in self.folders)
         if any(_is(Path.is_dir, folder / name) for folder in self.folders):
-            raise AssetError(f"image {str(name)!r}: this is a folder, not a picture")
-        raise AssetError(
+            return AssetError(f"image {str(name)!r}: this is a folder, not a picture")
+        return AssetError(
             f"image {str(name)!r}: there is no such file in {searched}{did_you_mean(name, self._names(name))}"
         )
 
@@ -83,6 +122,10 @@ class Images:
             if _is(Path.is_dir, beside):
                 names += [str(Path(near).parent / path.name) for path in sorted(beside.iterdir())]
         return names
+
+
+def _plain(stem: str) -> str:
+    return stem.removesuffix(TWICE) or stem
 
 
 def _is(kind: Callable[[Path], bool], path: Path) -> bool:

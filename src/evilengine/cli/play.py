@@ -8,6 +8,7 @@ While it plays:
   Escape             quit
 P, . and R are for levels; a game in Python may use letters itself.
 A level that changes on disk is loaded again; one with errors is shown with them, and the old one plays on.
+Images that change on disk are shown as they are now, in levels and in games.
 In levels with tilt, the arrow keys, the mouse wheel or a pad's stick turn gravity. Drag things by mouse or finger.
 
 Without a screen it films ten seconds instead and prints where the film is.

@@ -1,4 +1,4 @@
-"""The window of `evil play`: keys of its own, starting again, and levels that are loaded again when they change."""
+"""The window of `evil play`: keys of its own, starting again, and files that are loaded again when they change."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from evilengine.assets.pictures import stamp_of
 from evilengine.cli.stage import level_game, perform
 from evilengine.values.errors import Error, LevelError
 from evilengine.values.events import Event, KeyEvent
@@ -27,7 +28,7 @@ TILT_HINT = "Arrow keys tilt, the mouse drags     "
 HINT_SECONDS = 8.0
 
 WATCH_SECONDS = 0.25
-"""Between two looks at the level's file: soon enough to feel immediate, seldom enough to cost nothing."""
+"""Between two looks at the level and its images: soon enough to feel immediate, seldom enough to cost nothing."""
 
 MOST_ERRORS = 8
 """Errors of a level that the window shows; the terminal has them all."""
@@ -61,7 +62,7 @@ class Player:
         self.game: Game | None = None
         self._failure: Text | None = None  # why the level on disk is not the one that plays
         self._wants_again = self._wants_step = False
-        self._stamp = _stamp(path)
+        self._stamp = stamp_of(path)
         self._clock = clock
         self._looked = self._began = clock()
 
@@ -101,7 +102,7 @@ class Player:
                 return
             if now - self._looked > WATCH_SECONDS:
                 self._looked = now
-                self._look_at_the_file()
+                self._look_at_the_files()
             if self._wants_again:
                 self._again()
             if self._wants_step:
@@ -136,8 +137,11 @@ class Player:
 
     # Starting again
 
-    def _look_at_the_file(self) -> None:
-        stamp = _stamp(self.path)
+    def _look_at_the_files(self) -> None:
+        assert self.game is not None
+        for line in self.game.reload_images():
+            print(line, file=sys.stderr)
+        stamp = stamp_of(self.path)
         if self.is_level and stamp is not None and stamp != self._stamp:  # an editor may take it away for a moment
             self._stamp = stamp
             self._wants_again = True
@@ -169,12 +173,3 @@ def _headlines(error: Error) -> list[str]:
     found = [each.headline for each in error.errors] if isinstance(error, LevelError) else [str(error)]
     more = [f"and {len(found) - MOST_ERRORS} more"] if len(found) > MOST_ERRORS else []
     return [*found[:MOST_ERRORS], *more]
-
-
-def _stamp(path: Path) -> tuple[int, int] | None:
-    """What changes when the file does; None while there is none."""
-    try:
-        status = path.stat()
-    except OSError:
-        return None
-    return status.st_mtime_ns, status.st_size
