@@ -5,16 +5,15 @@ from __future__ import annotations
 import inspect
 import math
 import random
-import sys
 import time
 from collections.abc import Iterable
-from contextvars import ContextVar
 from pathlib import Path, PurePath
-from typing import TYPE_CHECKING, Any, Protocol, cast
+from typing import TYPE_CHECKING, Any, cast
 
 from evilengine.assets import Images, Pictures
+from evilengine.game.stage import STAGE, keep_pace, open_device, script_folder
 from evilengine.interaction import Grabs, Interaction, axis
-from evilengine.platform import Device, HeadlessDevice, open_device, screen_available
+from evilengine.platform import Device, HeadlessDevice
 from evilengine.renderer import open_renderer
 from evilengine.scene import LOOKS, Camera, Drawing, DrawnBody, Scene, Text
 from evilengine.scene.camera import POINTS_A_METRE
@@ -23,7 +22,7 @@ from evilengine.timer import Clock, Schedule
 from evilengine.values.callbacks import Callbacks
 from evilengine.values.checks import did_you_mean, known_keywords, number
 from evilengine.values.colour import ColourLike
-from evilengine.values.errors import ArgumentTypeError, AssetError, DeviceError, Error
+from evilengine.values.errors import ArgumentTypeError, AssetError, Error
 from evilengine.values.events import CloseEvent, Event, ResizeEvent
 from evilengine.values.image import Image
 from evilengine.values.inputs import Inputs, Keys, Pointer, Tilt, Touch
@@ -37,29 +36,6 @@ if TYPE_CHECKING:
 
 HEADLESS_SECONDS = 10.0
 """How long `run()` plays where nobody can close a window, unless it is told."""
-
-
-SHORTEST_FRAME = 1.0 / 500.0
-"""Seconds. Screens that set the pace are slower; but a window that is hidden may not wait for its screen at all."""
-
-
-class Stage(Protocol):
-    """Who shows the games that are made while it is `STAGE`: `evil play` and `evil render` put scripts on one."""
-
-    def open(self, title: str, size: tuple[int, int]) -> Device:
-        """The device that a new game gets instead of opening its own."""
-
-    def run(self, game: Game) -> None:
-        """What `game.run()` does instead of its own loop."""
-
-
-def keep_pace(device: Device, began: float) -> None:
-    """Wait until the frame that began then (by time.perf_counter) has lasted as long as one should."""
-    shortest = SHORTEST_FRAME if device.vsync else STEP
-    time.sleep(max(0.0, began + shortest - time.perf_counter()))
-
-
-STAGE: ContextVar[Stage | None] = ContextVar("evilengine_stage", default=None)
 
 
 class Game:
@@ -110,9 +86,9 @@ class Game:
         self.world = World(gravity, threads=threads, sleep=sleep)
         self.world._body_type = DrawnBody
         self.renderer = open_renderer(renderer)
-        self.folder = _script_folder() if folder is None else Path(folder)
+        self.folder = script_folder() if folder is None else Path(folder)
         self.camera = Camera(view_height=view_height)
-        self.device = device or _open_device(title, size, headless)  # last: nothing after it can leave a window behind
+        self.device = device or open_device(title, size, headless)  # last: nothing after it can leave a window behind
         self.camera.size = self.device.size
         self._pictures = Pictures(self.renderer, Images(self.folder, Path.cwd()), scale=self.device.scale)
         self.scene = Scene(self.world, textures=self._pictures.texture, fonts=self._pictures.font)
@@ -403,24 +379,3 @@ class Game:
 
 
 _BODY_OPTIONS = frozenset(inspect.signature(World.add).parameters) - {"self", "shape"}
-
-
-def _open_device(title: str, size: tuple[int, int], headless: bool) -> Device:
-    stage = STAGE.get()
-    if stage is not None:
-        return stage.open(title, size)
-    if not headless:
-        try:
-            return open_device(title, size)
-        except DeviceError:
-            screen = screen_available()
-            if screen:
-                raise
-            print(f"{title}: {screen.reason}; it plays without one", file=sys.stderr)
-    return HeadlessDevice(size, title=title)
-
-
-def _script_folder() -> Path:
-    """The folder of the script that runs, else the current one."""
-    file = getattr(sys.modules.get("__main__"), "__file__", None)
-    return Path(file).resolve().parent if file else Path.cwd()

@@ -1,0 +1,7 @@
+"""Levels: the commands of a level script, carried out on a game, or on a world alone."""
+
+from __future__ import annotations
+
+from evilengine.level.level import TYPES, Level, Thing, build, load
+
+__all__ = ["TYPES", "Level", "Thing", "build", "load"]
