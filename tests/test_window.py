@@ -41,6 +41,7 @@ class MemoryScreen:
                 "1280x1024x24",
                 "-fbdir",
                 str(folder),
+                "-noreset",  # else it restarts when its last window closes, and refuses the next one meanwhile
                 "-nolisten",
                 "tcp",
                 "-noreset",  # or it starts over when a window closes, and may turn away the next one meanwhile
