@@ -8,7 +8,7 @@ void World::step(float dt, int substeps) {
     match_pairs(contacts, shapes);
     update_manifolds(contacts, shapes, bodies, dt); // exact: SAT, contact points
     wake_islands(solver, bodies, contacts, forces);
-    solve(solver, bodies, contacts, forces, gravity, {dt, substeps});
+    solve(solver, bodies, contacts, forces, gravity, {dt, substeps, instruction_set});
     stop_at_walls(solver.paths, bodies, shapes);
     sleep_islands(solver, bodies, shapes, dt, sleep_allowed);
     find_events(contacts, shapes, bodies);

@@ -33,6 +33,9 @@ struct World {
     Contacts contacts;
     Forces forces;
 
+    // Which kernels it runs on; the bits are the same with any
+    InstructionSet instruction_set = best_instruction_set();
+
     // Scratch: losing it changes nothing
     BroadPhase broad;
     Solver solver;

@@ -5,6 +5,7 @@ import random
 import pytest
 
 import evilengine as evil
+from evilengine import _core
 
 
 def busy_world(seed=3):
@@ -76,6 +77,16 @@ def test_the_same_scene_gives_the_same_checksum_in_every_run():
         play(world, 200)
         checksums.add(world.checksum())
     assert len(checksums) == 1
+
+
+def test_every_instruction_set_gives_the_same_bits():
+    checksums = {}
+    for name in _core.instruction_sets():
+        world = busy_world()
+        world._core.instruction_set = name
+        play(world, 300)
+        checksums[name] = world.checksum()
+    assert len(set(checksums.values())) == 1, checksums
 
 
 def test_a_sleeping_world_is_saved_asleep():

@@ -263,6 +263,14 @@ void register_world(nb::module_& module) {
         "gravity", [](const World& w) { return from_vec2(w.gravity); },
         [](World& w, nb::handle value) { set_gravity(w, to_vec2(value, "World", "gravity")); });
     c.def_rw("sleep", &World::sleep_allowed);
+    c.def_prop_rw(
+        "instruction_set", [](const World& w) { return name(w.instruction_set); },
+        [](World& w, const std::string& wanted) {
+            for (InstructionSet set : runnable_instruction_sets())
+                if (wanted == name(set)) return void(w.instruction_set = set);
+            raise(ErrorKind::argument, "World: instruction_set=" + wanted + " is not one that this machine can run");
+        },
+        "Which kernels it runs on. The bits are the same with any; tests compare them.");
     c.def_ro("steps", &World::steps);
     c.def_ro("time", &World::time);
     bind_objects(c);

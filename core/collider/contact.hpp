@@ -6,7 +6,7 @@
 namespace evil {
 
 inline constexpr float kSlop =
-    0.005f; // metres of overlap left in a resting contact; at zero, stacks jitter as contacts flicker
+    0.005f; // metres that count as nothing: a gap so small still touches, or contacts flicker
 inline constexpr float kMargin =
     4 * kSlop; // metres: pairs nearer than this get a manifold before they touch (speculative)
 

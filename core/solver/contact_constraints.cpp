@@ -5,166 +5,146 @@ namespace {
 
 constexpr float kContactHertz = 30.0f;   // stiffness of a soft contact; at most a quarter of the substep rate is stable
 constexpr float kContactDamping = 10.0f; // damping ratio: overlap is pushed out without a bounce
-constexpr float kPushSpeed = 3.0f;       // m/s: the fastest that overlap is pushed out; more, and piles burst apart
 constexpr float kRestitutionSpeed = 0.25f; // m/s: slower impacts do not bounce (SPEC C7); at zero, stacks never rest
 
 // Catto, "Soft Constraints", GDC 2011: a spring of that frequency and damping ratio, integrated implicitly over h.
-Softness softness(float hertz, float h) {
+void soften(ContactBlock& block, float hertz, float h) {
     float omega = static_cast<float>(2.0 * kPi) * hertz;
     float a1 = 2.0f * kContactDamping + h * omega, a2 = h * omega * a1, a3 = 1.0f / (1.0f + a2);
-    return {omega / a1, a2 * a3, a3};
+    block.bias_rate = omega / a1;
+    block.mass_scale = a2 * a3;
+    block.impulse_scale = a3;
 }
 
 float inverse(float k) { return k > 0.0f ? 1.0f / k : 0.0f; }
-
-// The denominator of (4.8): what one newton second along `direction` changes of the relative speed there.
-float effective_mass(const SolverBody& a, const SolverBody& b, Vec2 arm_a, Vec2 arm_b, Vec2 direction) {
-    float turn_a = cross(arm_a, direction), turn_b = cross(arm_b, direction);
-    return inverse(a.inv_mass + b.inv_mass + a.inv_inertia * turn_a * turn_a + b.inv_inertia * turn_b * turn_b);
-}
-
-Vec2 relative_velocity(const SolverBody& a, const SolverBody& b, Vec2 arm_a, Vec2 arm_b) {
-    return b.velocity + cross(b.spin, arm_b) - a.velocity - cross(a.spin, arm_a);
-}
-
-void push(SolverBody& a, SolverBody& b, Vec2 arm_a, Vec2 arm_b, Vec2 impulse) { // (4.9), (4.10)
-    a.velocity -= a.inv_mass * impulse;
-    a.spin -= a.inv_inertia * cross(arm_a, impulse);
-    b.velocity += b.inv_mass * impulse;
-    b.spin += b.inv_inertia * cross(arm_b, impulse);
-}
 
 Vec2 acceleration_of(const Bodies& bodies, std::uint32_t slot) {
     const Body& b = bodies.rows[slot];
     return b.kind == BodyKind::dynamic ? b.acceleration : Vec2{};
 }
 
-ConstraintPoint prepare_point(const ManifoldPoint& p, const SolverBody& a, const SolverBody& b, Vec2 normal) {
-    ConstraintPoint q{};
-    q.anchor_a = p.anchor_a;
-    q.anchor_b = p.anchor_b;
-    q.base_separation = p.separation - dot(p.anchor_b - p.anchor_a, normal);
-    q.normal_mass = effective_mass(a, b, p.anchor_a, p.anchor_b, normal);
-    q.tangent_mass = effective_mass(a, b, p.anchor_a, p.anchor_b, right_of(normal));
-    q.normal_impulse = p.normal_impulse;
-    q.tangent_impulse = p.tangent_impulse;
-    q.closing_speed = -dot(relative_velocity(a, b, p.anchor_a, p.anchor_b), normal);
-    return q;
+// The pair of a contact in its own frame: along n, and along t, which is n turned right.
+struct Frame {
+    Vec2 n, t;
+    float along_n(Vec2 v) const { return dot(v, n); }
+    float along_t(Vec2 v) const { return dot(v, t); }
+};
+
+struct Speeds { // relative velocity of the bodies, and their spins
+    float n, spin_a, spin_b;
+};
+
+Speeds speeds(const SolverBody& a, const SolverBody& b, const Frame& frame) {
+    return {frame.along_n({b.vx - a.vx, b.vy - a.vy}), a.spin, b.spin};
+}
+
+float normal_speed(const Speeds& v, const BlockPoint& q, std::size_t lane) {
+    return v.n + v.spin_b * q.arm_bt[lane] - v.spin_a * q.arm_at[lane];
+}
+
+// The denominator of (4.8): what one newton second changes of the relative speed, by the arms across its direction.
+float effective_mass(const SolverBody& a, const SolverBody& b, float across_a, float across_b) {
+    return inverse(a.inv_mass + b.inv_mass + a.inv_inertia * across_a * across_a + b.inv_inertia * across_b * across_b);
+}
+
+void fill_point(BlockPoint& q, std::size_t i, const ManifoldPoint& p, const Frame& frame, const SolverBody& a,
+                const SolverBody& b) {
+    q.arm_an[i] = frame.along_n(p.anchor_a);
+    q.arm_at[i] = frame.along_t(p.anchor_a);
+    q.arm_bn[i] = frame.along_n(p.anchor_b);
+    q.arm_bt[i] = frame.along_t(p.anchor_b);
+    q.base[i] = p.separation - (q.arm_bn[i] - q.arm_an[i]);
+    q.normal_mass[i] = effective_mass(a, b, q.arm_at[i], q.arm_bt[i]);
+    q.tangent_mass[i] = effective_mass(a, b, q.arm_an[i], q.arm_bn[i]);
+    q.normal_impulse[i] = p.normal_impulse;
+    q.tangent_impulse[i] = p.tangent_impulse;
+}
+
+// Which contacts are solved, by whom, and what they did before.
+void find_edges(Solver& solver, const Bodies& bodies, const Contacts& contacts, float dt) {
+    solver.edges.clear();
+    solver.bounces.clear();
+    for (std::uint32_t row = 0; row < contacts.rows.size(); ++row) {
+        const Contact& c = contacts.rows[row];
+        std::uint32_t a = solver.number_of[c.body_a], b = solver.number_of[c.body_b];
+        if (c.count == 0 || (a == 0 && b == 0)) continue;
+        bool a_moves = solver.bodies[a].inv_mass > 0.0f, b_moves = solver.bodies[b].inv_mass > 0.0f;
+        bool wall = !(a_moves && b_moves);
+        solver.edges.push_back({wall && b_moves ? b : a, b, wall});
+        Vec2 gained = acceleration_of(bodies, c.body_b) - acceleration_of(bodies, c.body_a);
+        solver.bounces.push_back({row, {}, c.restitution, {}, std::max(0.0f, -dt * dot(gained, c.normal))});
+    }
+}
+
+void fill_lane(Solver& solver, Bounce& bounce, const Contact& c) {
+    ContactBlock& block = solver.blocks[bounce.place.block];
+    std::size_t i = bounce.place.lane;
+    block.a[i] = solver.number_of[c.body_a];
+    block.b[i] = solver.number_of[c.body_b];
+    const SolverBody &a = solver.bodies[block.a[i]], &b = solver.bodies[block.b[i]];
+    Frame frame{c.normal, right_of(c.normal)};
+    block.nx[i] = c.normal.x;
+    block.ny[i] = c.normal.y;
+    block.friction[i] = c.friction;
+    Speeds v = speeds(a, b, frame);
+    for (std::uint8_t p = 0; p < c.count; ++p) {
+        fill_point(block.points[p], i, c.points[p], frame, a, b);
+        bounce.closing_speed[p] = -normal_speed(v, block.points[p], i);
+    }
 }
 
 } // namespace
 
-void prepare_contacts(Solver& solver, const Bodies& bodies, const Contacts& contacts, StepSize step) {
+void fill_blocks(Solver& solver, const Bodies& bodies, const Contacts& contacts, StepSize step) {
+    find_edges(solver, bodies, contacts, step.dt);
+    colour(solver.colouring, solver.edges, static_cast<std::uint32_t>(solver.bodies.size()), kBlockLanes);
+    solver.blocks.assign(solver.colouring.blocks, ContactBlock{}); // lanes without a contact have no mass
     float h = step.h(), hertz = std::min(kContactHertz, 0.25f / h);
-    Softness between_bodies = softness(hertz, h), against_wall = softness(2.0f * hertz, h);
-    solver.constraints.clear();
-    for (std::uint32_t row = 0; row < contacts.rows.size(); ++row) {
-        const Contact& c = contacts.rows[row];
-        std::uint32_t na = solver.number_of[c.body_a], nb = solver.number_of[c.body_b];
-        if (c.count == 0 || (na == 0 && nb == 0)) continue;
-        const SolverBody &a = solver.bodies[na], &b = solver.bodies[nb];
-        ContactConstraint k{};
-        k.contact = row;
-        k.a = na;
-        k.b = nb;
-        k.normal = c.normal;
-        k.friction = c.friction;
-        k.restitution = c.restitution;
-        k.soft = a.inv_mass == 0.0f || b.inv_mass == 0.0f ? against_wall : between_bodies;
-        Vec2 gained = acceleration_of(bodies, c.body_b) - acceleration_of(bodies, c.body_a);
-        k.gained_speed = std::max(0.0f, -step.dt * dot(gained, c.normal));
-        k.count = c.count;
-        for (std::uint8_t i = 0; i < c.count; ++i) k.points[i] = prepare_point(c.points[i], a, b, c.normal);
-        solver.constraints.push_back(k);
+    for (std::uint32_t i = 0; i < solver.colouring.blocks; ++i)
+        soften(solver.blocks[i], i >= solver.colouring.wall_blocks_from ? 2.0f * hertz : hertz, h);
+    for (std::size_t i = 0; i < solver.bounces.size(); ++i) {
+        solver.bounces[i].place = solver.colouring.places[i];
+        fill_lane(solver, solver.bounces[i], contacts.rows[solver.bounces[i].contact]);
     }
 }
 
-void warm_start(Solver& solver) {
-    for (ContactConstraint& k : solver.constraints) {
-        SolverBody a = solver.bodies[k.a], b = solver.bodies[k.b];
-        Vec2 tangent = right_of(k.normal);
-        for (std::uint8_t i = 0; i < k.count; ++i) {
-            ConstraintPoint& p = k.points[i];
-            push(a, b, rotate(a.turned, p.anchor_a), rotate(b.turned, p.anchor_b),
-                 p.normal_impulse * k.normal + p.tangent_impulse * tangent);
-        }
-        if (k.a) solver.bodies[k.a] = a;
-        if (k.b) solver.bodies[k.b] = b;
-    }
-}
-
-void solve_contacts(Solver& solver, float h, Pass pass) {
-    float inv_h = 1.0f / h;
-    for (ContactConstraint& k : solver.constraints) {
-        SolverBody a = solver.bodies[k.a], b = solver.bodies[k.b];
-        Vec2 moved = b.moved - a.moved, tangent = right_of(k.normal);
-        for (std::uint8_t i = 0; i < k.count; ++i) {
-            ConstraintPoint& p = k.points[i];
-            Vec2 arm_a = rotate(a.turned, p.anchor_a), arm_b = rotate(b.turned, p.anchor_b);
-            float separation = p.base_separation + dot(moved + arm_b - arm_a, k.normal);
-            float bias = 0.0f, mass_scale = 1.0f, impulse_scale = 0.0f;
-            if (separation > 0.0f) {
-                bias = separation * inv_h; // speculative: take only what would make them overlap (SPEC C8)
-            } else if (pass == Pass::push_apart) {
-                bias = std::max(k.soft.bias_rate * std::min(separation + kSlop, 0.0f), -kPushSpeed);
-                mass_scale = k.soft.mass_scale;
-                impulse_scale = k.soft.impulse_scale;
-            }
-            float speed = dot(relative_velocity(a, b, arm_a, arm_b), k.normal);
-            float impulse = -p.normal_mass * mass_scale * (speed + bias) - impulse_scale * p.normal_impulse;
-            float total = std::max(p.normal_impulse + impulse, 0.0f);
-            impulse = total - p.normal_impulse;
-            p.normal_impulse = total;
-            push(a, b, arm_a, arm_b, impulse * k.normal);
-        }
-        for (std::uint8_t i = 0; i < k.count; ++i) { // friction within Coulomb's cone, at rest and sliding (SPEC C5)
-            ConstraintPoint& p = k.points[i];
-            Vec2 arm_a = rotate(a.turned, p.anchor_a), arm_b = rotate(b.turned, p.anchor_b);
-            float speed = dot(relative_velocity(a, b, arm_a, arm_b), tangent);
-            float most = k.friction * p.normal_impulse;
-            float total = std::clamp(p.tangent_impulse - p.tangent_mass * speed, -most, most);
-            push(a, b, arm_a, arm_b, (total - p.tangent_impulse) * tangent);
-            p.tangent_impulse = total;
-        }
-        if (k.a) solver.bodies[k.a] = a;
-        if (k.b) solver.bodies[k.b] = b;
-    }
-}
-
-void sum_impulses(Solver& solver) {
-    for (ContactConstraint& k : solver.constraints)
-        for (std::uint8_t i = 0; i < k.count; ++i) k.points[i].total_impulse += k.points[i].normal_impulse;
-}
-
-// (4.8) with the speed before the step: the solver has brought the closing speed to 0, this adds e times it outwards.
+// (4.8) with the speed before the step: the solver has brought the closing speed to 0, this adds e times it outwards. The
+// next step's contacts do not start from a bounce, so it is added to the total alone.
 void apply_restitution(Solver& solver) {
-    for (ContactConstraint& k : solver.constraints) {
-        if (k.restitution == 0.0f) continue;
-        SolverBody a = solver.bodies[k.a], b = solver.bodies[k.b];
-        for (std::uint8_t i = 0; i < k.count; ++i) {
-            ConstraintPoint& p = k.points[i];
-            if (p.total_impulse == 0.0f || p.closing_speed - k.gained_speed <= kRestitutionSpeed) continue;
-            Vec2 arm_a = rotate(a.turned, p.anchor_a), arm_b = rotate(b.turned, p.anchor_b);
-            float speed = dot(relative_velocity(a, b, arm_a, arm_b), k.normal);
-            float impulse = -p.normal_mass * (speed - k.restitution * p.closing_speed);
-            impulse = std::max(impulse, -p.normal_impulse); // the sum may not pull
-            p.total_impulse += impulse;                     // but the next step does not start from a bounce
-            push(a, b, arm_a, arm_b, impulse * k.normal);
+    for (const Bounce& bounce : solver.bounces) {
+        if (bounce.restitution == 0.0f) continue;
+        ContactBlock& block = solver.blocks[bounce.place.block];
+        std::size_t i = bounce.place.lane;
+        SolverBody &a = solver.bodies[block.a[i]], &b = solver.bodies[block.b[i]];
+        Vec2 normal{block.nx[i], block.ny[i]};
+        Frame frame{normal, right_of(normal)};
+        for (std::size_t p = 0; p < 2; ++p) {
+            BlockPoint& q = block.points[p];
+            float closing = bounce.closing_speed[p];
+            if (q.total_impulse[i] == 0.0f || closing - bounce.gained_speed <= kRestitutionSpeed) continue;
+            float speed = normal_speed(speeds(a, b, frame), q, i);
+            float impulse = std::max(-q.normal_mass[i] * (speed - bounce.restitution * closing), -q.normal_impulse[i]);
+            q.total_impulse[i] += impulse;
+            a.vx -= a.inv_mass * impulse * normal.x; // (4.9), (4.10)
+            a.vy -= a.inv_mass * impulse * normal.y;
+            a.spin -= a.inv_inertia * impulse * q.arm_at[i];
+            b.vx += b.inv_mass * impulse * normal.x;
+            b.vy += b.inv_mass * impulse * normal.y;
+            b.spin += b.inv_inertia * impulse * q.arm_bt[i];
         }
-        if (k.a) solver.bodies[k.a] = a;
-        if (k.b) solver.bodies[k.b] = b;
     }
 }
 
 void store_impulses(const Solver& solver, Contacts& contacts) {
-    auto finite = [](float v) { return std::isfinite(v) ? v : 0.0f; };
-    for (const ContactConstraint& k : solver.constraints) {
-        for (std::uint8_t i = 0; i < k.count; ++i) {
-            ManifoldPoint& p = contacts.rows[k.contact].points[i];
-            p.normal_impulse = finite(k.points[i].normal_impulse);
-            p.tangent_impulse = finite(k.points[i].tangent_impulse);
-            p.total_impulse = finite(k.points[i].total_impulse);
-            p.closing_speed = finite(k.points[i].closing_speed);
+    for (const Bounce& bounce : solver.bounces) {
+        Contact& c = contacts.rows[bounce.contact];
+        const ContactBlock& block = solver.blocks[bounce.place.block];
+        for (std::uint8_t p = 0; p < c.count; ++p) {
+            const BlockPoint& q = block.points[p];
+            c.points[p].normal_impulse = clamped(q.normal_impulse[bounce.place.lane], kMaxForce);
+            c.points[p].tangent_impulse = clamped(q.tangent_impulse[bounce.place.lane], kMaxForce);
+            c.points[p].total_impulse = clamped(q.total_impulse[bounce.place.lane], kMaxForce);
+            c.points[p].closing_speed = clamped(bounce.closing_speed[p], kMaxForce);
         }
     }
 }

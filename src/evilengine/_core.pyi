@@ -126,6 +126,15 @@ class World:
     def sleep(self, arg: bool, /) -> None: ...
 
     @property
+    def instruction_set(self) -> str:
+        """
+        Which kernels it runs on. The bits are the same with any; tests compare them.
+        """
+
+    @instruction_set.setter
+    def instruction_set(self, arg: str, /) -> None: ...
+
+    @property
     def steps(self) -> int: ...
 
     @property

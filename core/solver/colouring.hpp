@@ -1,0 +1,35 @@
+#pragma once
+// Graph colouring: contacts of one colour share no body that can move, so eight of them can be solved at once.
+//
+// Colours are given greedily in the contacts' own order, the lowest that both bodies have free. So they do not depend on
+// the number of lanes or threads. Contacts with a body that no contact moves (walls) come in colours of their own, solved
+// last: what is pushed into the ground by its neighbours is pushed out again.
+#include <cstdint>
+#include <vector>
+
+namespace evil {
+
+inline constexpr std::uint32_t kColours = 64; // of each sort; contacts beyond go one to a block
+
+struct Edge { // a contact by its solver bodies; `wall`: only one of them moves
+    std::uint32_t a, b;
+    bool wall;
+};
+
+struct Place {
+    std::uint32_t block, lane;
+};
+
+struct Colouring {                                       // Scratch
+    std::vector<std::uint64_t> used_between, used_walls; // by solver body: colours that it has
+    std::vector<std::uint8_t> colour;                    // by contact
+    std::vector<std::uint32_t> counts;                   // by colour
+    std::vector<std::uint32_t> next;                     // by colour: where its next contact goes
+    std::vector<Place> places;                           // by contact
+    std::uint32_t blocks = 0, wall_blocks_from = 0;
+};
+
+// Where each contact goes: blocks in order of colour, walls from `wall_blocks_from` on.
+void colour(Colouring& colouring, const std::vector<Edge>& edges, std::uint32_t bodies, std::uint32_t lanes);
+
+} // namespace evil
