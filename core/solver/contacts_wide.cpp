@@ -1,7 +1,7 @@
 // The solver's inner loop. Relative velocity is projected onto normal and tangent once for a block and kept there while
 // the points push; the sum of impulses is applied once. So the two points of a contact still see each other's work.
 #include "solver/contacts_wide.hpp"
-#include "math/wide.hpp"
+#include "math/wide_rows.hpp"
 
 namespace evil::EVIL_ISA {
 namespace {

@@ -1,0 +1,57 @@
+#pragma once
+// Tables of 32-byte rows, read and written eight rows at a time: each field of the rows becomes eight lanes.
+#include "math/wide.hpp"
+
+namespace evil::EVIL_ISA {
+
+// Rows of eight floats, 32 bytes each and aligned to that: row numbers[i] of the table becomes lane i of field[0..7].
+EVIL_INLINE void load_rows(const float* table, const std::uint32_t* numbers, Floats field[8]) {
+#if EVIL_WIDTH == 8
+    __m256 r[8], t[8];
+    for (int i = 0; i < 8; ++i) r[i] = _mm256_load_ps(table + 8 * static_cast<std::size_t>(numbers[i]));
+    for (int i = 0; i < 8; i += 2) {
+        t[i] = _mm256_unpacklo_ps(r[i], r[i + 1]);
+        t[i + 1] = _mm256_unpackhi_ps(r[i], r[i + 1]);
+    }
+    for (int i = 0; i < 8; i += 4) {
+        r[i] = _mm256_shuffle_ps(t[i], t[i + 2], 0x44);
+        r[i + 1] = _mm256_shuffle_ps(t[i], t[i + 2], 0xee);
+        r[i + 2] = _mm256_shuffle_ps(t[i + 1], t[i + 3], 0x44);
+        r[i + 3] = _mm256_shuffle_ps(t[i + 1], t[i + 3], 0xee);
+    }
+    for (int i = 0; i < 4; ++i) {
+        field[i].part[0] = _mm256_permute2f128_ps(r[i], r[i + 4], 0x20);
+        field[i + 4].part[0] = _mm256_permute2f128_ps(r[i], r[i + 4], 0x31);
+    }
+#else
+    float lanes[8][kLanes];
+    for (int i = 0; i < kLanes; ++i)
+        for (int k = 0; k < 8; ++k)
+            lanes[k][i] = table[8 * static_cast<std::size_t>(numbers[i]) + static_cast<std::size_t>(k)];
+    for (int k = 0; k < 8; ++k) field[k] = load(lanes[k]);
+#endif
+}
+
+// Lane i of field[0..3] into the first four floats of row numbers[i]. Rows that come twice take the later lane.
+EVIL_INLINE void store_half_rows(float* table, const std::uint32_t* numbers, const Floats field[4]) {
+#if EVIL_WIDTH == 8
+    __m256 t0 = _mm256_unpacklo_ps(field[0].part[0], field[1].part[0]),
+           t1 = _mm256_unpackhi_ps(field[0].part[0], field[1].part[0]);
+    __m256 t2 = _mm256_unpacklo_ps(field[2].part[0], field[3].part[0]),
+           t3 = _mm256_unpackhi_ps(field[2].part[0], field[3].part[0]);
+    __m256 r[4] = {_mm256_shuffle_ps(t0, t2, 0x44), _mm256_shuffle_ps(t0, t2, 0xee), _mm256_shuffle_ps(t1, t3, 0x44),
+                   _mm256_shuffle_ps(t1, t3, 0xee)};
+    for (int i = 0; i < 4; ++i)
+        _mm_store_ps(table + 8 * static_cast<std::size_t>(numbers[i]), _mm256_castps256_ps128(r[i]));
+    for (int i = 0; i < 4; ++i)
+        _mm_store_ps(table + 8 * static_cast<std::size_t>(numbers[i + 4]), _mm256_extractf128_ps(r[i], 1));
+#else
+    float lanes[4][kLanes];
+    for (int k = 0; k < 4; ++k) store(lanes[k], field[k]);
+    for (int i = 0; i < kLanes; ++i)
+        for (int k = 0; k < 4; ++k)
+            table[8 * static_cast<std::size_t>(numbers[i]) + static_cast<std::size_t>(k)] = lanes[k][i];
+#endif
+}
+
+} // namespace evil::EVIL_ISA
