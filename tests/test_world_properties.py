@@ -166,6 +166,54 @@ class WorldMachine(RuleBasedStateMachine):
         body = self.one_of(self.order, choice)
         self.attempt(lambda: body.apply_matrix(entries))
 
+    @precondition(lambda self: self.order)
+    @rule(choice=st.integers(0, 99), kind=kind)
+    def change_kind(self, choice: int, kind: str) -> None:
+        body = self.one_of(self.order, choice)
+        self.attempt(lambda: setattr(body, "kind", kind))
+
+    @precondition(lambda self: self.order)
+    @rule(
+        choice=st.integers(0, 99),
+        which=st.integers(0, 9),
+        name=st.sampled_from(["friction", "restitution", "density"]),
+        value=fraction,
+    )
+    def change_shape(self, choice: int, which: int, name: str, value: float) -> None:
+        shapes = self.one_of(self.order, choice).shapes
+        if shapes:
+            self.attempt(lambda: setattr(shapes[which % len(shapes)], name, value))
+
+    @precondition(lambda self: self.order)
+    @rule(choice=st.integers(0, 99), which=st.integers(0, 9))
+    def destroy_shape(self, choice: int, which: int) -> None:
+        body = self.one_of(self.order, choice)
+        shapes = body.shapes
+        if not shapes:
+            return
+        shape = shapes[which % len(shapes)]
+        if self.attempt(lambda: shape.destroy() or True):
+            assert len(body.shapes) == len(shapes) - 1
+            with pytest.raises(evil.StaleReferenceError):
+                _ = shape.body
+
+    @precondition(lambda self: self.forces and self.order)
+    @rule(choice=st.integers(0, 99), body=st.integers(0, 99))
+    def share_force(self, choice: int, body: int) -> None:
+        force = self.one_of(self.forces, choice)
+        self.attempt(lambda: self.world.add_force(force, [self.one_of(self.order, body)]))
+
+    @precondition(lambda self: self.forces)
+    @rule(
+        choice=st.integers(0, 99),
+        name=st.sampled_from(["stiffness", "rest_length", "damping", "linear", "quadratic"]),
+        value=number,
+    )
+    def change_force(self, choice: int, name: str, value: float) -> None:
+        force = self.one_of(self.forces, choice)
+        if hasattr(type(force), name):
+            self.attempt(lambda: setattr(force, name, value))
+
     @rule(gravity=point)
     def set_gravity(self, gravity: object) -> None:
         self.attempt(lambda: setattr(self.world, "gravity", gravity))
