@@ -1,6 +1,7 @@
 """The world: adding, stepping, asking, references."""
 
 import math
+import random
 
 import pytest
 
@@ -400,3 +401,27 @@ def test_bad_input_is_refused_clearly_and_leaves_the_world_as_it_was(world, wron
     with pytest.raises(evil.Error, match=words):
         wrong(world)
     assert world.snapshot() == before
+
+
+@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("scale", [0.01, 1, 1000])
+def test_every_overlap_is_found_among_sizes_from_grains_to_hills(seed, scale):
+    rng = random.Random(seed)
+    world = evil.World(gravity=(0, 0))
+    bodies = []
+    for _ in range(120):
+        radius = scale * 10 ** rng.uniform(-1, 1.5)
+        at = (scale * rng.uniform(-60, 60), scale * rng.uniform(-60, 60))
+        bodies.append((world.add(evil.Circle(radius), at=at), radius))
+    expected = {
+        (a, b)
+        for i, (a, radius) in enumerate(bodies)
+        for b, other in bodies[i + 1 :]
+        if (b.position - a.position).length < (radius + other) * 0.9999
+    }
+    world.step(1e-6, substeps=1)
+    found = {(contact.a, contact.b) for contact in world.contacts.active}
+    assert expected <= found
+    assert len(expected) > 50
+    for a, b in found - expected:
+        assert (b.position - a.position).length < a.shapes[0].definition.radius + b.shapes[0].definition.radius + 0.01

@@ -17,12 +17,19 @@ inline bool contains(const Bounds& b, Vec2 p) {
 
 Bounds bounds_of(const Shapes& shapes, const Piece& piece, const Pose& pose);
 
-struct BroadPhase { // Scratch: made anew each step
+// A grid of levels, made anew each step: on level l cells are 2^l times the smallest, and hold, by their centre, the pieces
+// whose bounds are at most a cell wide. So whatever touches a piece lies in the nine cells round it, on each level.
+struct BroadPhase { // Scratch
+    static constexpr int kLevels = 40;
     struct Entry {
+        std::uint64_t cell; // row and column, so that sorting goes along rows
         Bounds bounds;
         std::uint32_t piece, body;
+        bool dynamic;
     };
-    std::vector<Entry> entries;
+    std::vector<Entry> levels[kLevels];
+    std::vector<Pair> unsorted;
+    std::vector<std::uint32_t> starts; // by piece: where its pairs go
 };
 
 // All pairs of pieces of different bodies, at least one of them dynamic, whose bounds, grown by the margin and by what

@@ -134,7 +134,7 @@ void find_events(Contacts& contacts, const Shapes& shapes, const Bodies& bodies)
         c.touching = touches_now(c);
         if (c.touching) now.push_back(touch_of(c, shapes, bodies));
     }
-    std::ranges::stable_sort(now, earlier);
+    if (!std::ranges::is_sorted(now, earlier)) std::ranges::stable_sort(now, earlier);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < now.size(); ++i) {
         if (kept > 0 && same(now[kept - 1], now[i]))
