@@ -48,10 +48,10 @@ def core_files() -> list[Path]:
 
 def written_files() -> list[Path]:
     """Every text file that people write and read here."""
-    folders = [PACKAGE, CORE, *(ROOT / name for name in (".ci", "docs", "tests", "tools"))]
+    folders = [PACKAGE, CORE, *(ROOT / name for name in (".ci", ".github", "docs", "tests", "tools"))]
     inside = [path for folder in folders if folder.exists() for path in folder.rglob("*")]
     found = [path for path in [*inside, *ROOT.glob("*")] if path.is_file() and "__pycache__" not in path.parts]
-    texts = {".py", ".pyi", ".hpp", ".cpp", ".evil", ".md", ".toml", ".txt", ""}
+    texts = {".py", ".pyi", ".hpp", ".cpp", ".evil", ".md", ".toml", ".txt", ".yml", ""}
     return sorted(path for path in found if path.suffix in texts and path.name not in {".git", ".coverage"})
 
 

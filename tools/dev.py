@@ -6,6 +6,7 @@ python tools/dev.py build      compile the core into src/evilengine and write it
 python tools/dev.py test       build, then run pytest with the arguments that follow
 python tools/dev.py format     format Python and C++
 python tools/dev.py lint       check format, style, types and stubs; changes nothing
+python tools/dev.py release    source and wheel into dist/, and the wheel tried where there is no compiler
 python tools/dev.py sanitize   run the core's tests with AddressSanitizer and UndefinedBehaviorSanitizer
 """
 
@@ -16,8 +17,10 @@ import shutil
 import subprocess
 import sys
 import sysconfig
+import tarfile
 import tempfile
 import tomllib
+import zipfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -45,7 +48,8 @@ def tool(name: str) -> str:
 def requirements() -> list[str]:
     """What the engine, its tests and its developers need, as pyproject.toml lists it."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
-    listed = project["dependencies"] + [one for extra in project["optional-dependencies"].values() for one in extra]
+    extras = project["optional-dependencies"]
+    listed = project["dependencies"] + extras["test"] + extras["dev"]
     return [requirement for requirement in listed if not requirement.startswith(project["name"])]
 
 
@@ -137,7 +141,49 @@ def sanitize(*arguments: str) -> None:
     )
 
 
-CHORES = {"setup": setup, "build": build, "test": test, "format": format, "lint": lint, "sanitize": sanitize}
+def release(built: str | None = None) -> None:
+    """Source and wheel as they would be published, tried where there is no compiler. A wheel that is built already is
+    tried as it is; it is as good as one built from the source if all its files are in there."""
+    shutil.rmtree(ROOT / "dist", ignore_errors=True)
+    run(sys.executable, "-m", "build", "--outdir", "dist", *(["--sdist"] if built else []))
+    (source,) = (ROOT / "dist").glob("*.tar.gz")
+    wheel = Path(built) if built else next((ROOT / "dist").glob("*.whl"))
+
+    package = [file for file in PACKAGE.rglob("*.*") if file.suffix not in (".so", ".pyd", ".pyc")]
+    core = [path for path in (ROOT / "core").rglob("*.*") if path.is_file()]
+    with tarfile.open(source) as archive:
+        packed = {name.partition("/")[2] for name in archive.getnames()}
+    lacks(
+        source, packed, [*package, *core, *(ROOT / name for name in ("CMakeLists.txt", "LICENSE", "README.md"))], ROOT
+    )
+    with zipfile.ZipFile(wheel) as archive:
+        lacks(wheel, set(archive.namelist()), package, PACKAGE.parent)
+    for file in (source, wheel):
+        print(f"{file.name}: {file.stat().st_size / 1000:.0f} kB")
+
+    with tempfile.TemporaryDirectory() as folder:
+        run(sys.executable, "-m", "venv", folder)
+        programs = Path(folder, Path(sys.executable).parent.name)  # bin, or Scripts
+        for command in ((programs / "pip", "install", "-q", wheel), (programs / "python", "tools/try_wheel.py")):
+            run(*command, PATH=str(programs), CC="no-compiler", CXX="no-compiler", PYTHONPATH="", DISPLAY="")
+
+
+def lacks(archive: Path, inside: set[str], wanted: list[Path], root: Path) -> None:
+    """Stop if `archive` lacks one of the files it should hold."""
+    missing = [name for file in wanted if (name := file.relative_to(root).as_posix()) not in inside]
+    if missing:
+        sys.exit(f"{archive.name} lacks {', '.join(missing)}")
+
+
+CHORES = {
+    "setup": setup,
+    "build": build,
+    "test": test,
+    "format": format,
+    "lint": lint,
+    "release": release,
+    "sanitize": sanitize,
+}
 
 if __name__ == "__main__":
     if len(sys.argv) < 2 or sys.argv[1] not in CHORES:
