@@ -8,8 +8,8 @@ constexpr const char* kOwner = "Body";
 // A float field of the row that any number in a range may be written to; writing wakes the body.
 template <float Body::* Field>
 void bind_float(nb::class_<BodyHandle>& c, const char* name, float least, float most, const char* doc) {
-    c.def_prop_rw(
-        name, [](const BodyHandle& h) { return row(h).*Field; },
+    def_value(
+        c, name, kNumber, [](const BodyHandle& h) { return row(h).*Field; },
         [name, least, most](const BodyHandle& h, nb::handle value) {
             Body& b = row(h);
             b.*Field = in_range(value, kOwner, name, least, most);
@@ -21,8 +21,8 @@ void bind_float(nb::class_<BodyHandle>& c, const char* name, float least, float 
 // A material value of all the body's shapes at once, and of those to come.
 template <float Body::* Field, float Material::* Each>
 void bind_material(nb::class_<BodyHandle>& c, const char* name, float most, const char* doc) {
-    c.def_prop_rw(
-        name, [](const BodyHandle& h) { return row(h).*Field; },
+    def_value(
+        c, name, kNumber, [](const BodyHandle& h) { return row(h).*Field; },
         [name, most](const BodyHandle& h, nb::handle value) {
             Body& b = row(h);
             b.*Field = in_range(value, kOwner, name, 0.0f, most);
@@ -123,51 +123,64 @@ std::vector<std::uint32_t> shape_slots(const BodyHandle& h) {
 }
 
 void bind_motion(nb::class_<BodyHandle>& c) {
-    c.def_prop_rw(
-        "position", [](const BodyHandle& h) { return from_vec2(row(h).pose.p); }, set_position,
+    def_value(
+        c, "position", kPoint, [](const BodyHandle& h) { return from_vec2(row(h).pose.p); }, set_position,
         "Where the body's origin is, the point that its shapes are placed by (metres). Writing it moves the body at "
         "once.");
-    c.def_prop_rw(
-        "angle", [](const BodyHandle& h) { return row(h).angle; }, set_angle,
+    def_value(
+        c, "angle", kNumber, [](const BodyHandle& h) { return row(h).angle; }, set_angle,
         "Radians, counter-clockwise; it is not wrapped, so two turns are 4 pi.");
-    c.def_prop_rw(
-        "velocity", [](const BodyHandle& h) { return from_vec2(row(h).velocity); }, set_velocity,
+    def_value(
+        c, "velocity", kPoint, [](const BodyHandle& h) { return from_vec2(row(h).velocity); }, set_velocity,
         "Of the centre of mass, metres a second.");
-    c.def_prop_rw("angular_velocity", [](const BodyHandle& h) { return row(h).spin; }, set_spin, "Radians a second.");
+    def_value(
+        c, "angular_velocity", kNumber, [](const BodyHandle& h) { return row(h).spin; }, set_spin, "Radians a second.");
     c.def_prop_ro(
         "centre", [](const BodyHandle& h) { return from_vec2(row(h).centre); }, "The centre of mass, in the world.");
-    c.def(
-        "velocity_at",
+    def_method(
+        c, kOwner, "velocity_at",
+        "def velocity_at(self, point: evilengine.values.vec2.Point) -> evilengine.values.vec2.Vec2", {"point"},
         [](const BodyHandle& h, nb::handle point) {
             const Body& b = row(h);
             return from_vec2(velocity_at(b, to_vec2(point, "Body.velocity_at", "point")));
         },
-        nb::arg("point"), "Velocity of the body's matter at a point of the world.");
-    c.def(
-        "to_world",
+        nb::arg("point").none(), "Velocity of the body's matter at a point of the world.");
+    def_method(
+        c, kOwner, "to_world", "def to_world(self, point: evilengine.values.vec2.Point) -> evilengine.values.vec2.Vec2",
+        {"point"},
         [](const BodyHandle& h, nb::handle point) {
             Vec2 p = to_vec2(point, "Body.to_world", "point");
             return from_vec2(apply(body_matrix(row(h)), p));
         },
-        nb::arg("point"), "A point of the body's own frame, in the world.");
-    c.def(
-        "to_local",
+        nb::arg("point").none(), "A point of the body's own frame, in the world.");
+    def_method(
+        c, kOwner, "to_local", "def to_local(self, point: evilengine.values.vec2.Point) -> evilengine.values.vec2.Vec2",
+        {"point"},
         [](const BodyHandle& h, nb::handle point) {
             const Body& b = row(h);
             Vec2 p = untransform(b.pose, to_vec2(point, "Body.to_local", "point"));
             return from_vec2({p.x / b.scale.x, p.y / b.scale.y});
         },
-        nb::arg("point"), "A point of the world, in the body's own frame.");
+        nb::arg("point").none(), "A point of the world, in the body's own frame.");
 }
 
 void bind_pushes(nb::class_<BodyHandle>& c) {
-    c.def("apply_force", apply_force, nb::arg("force"), nb::arg("at").none() = nb::none(),
-          "Push with `force` (newtons) during the next step, at a point of the world; at the centre of mass without "
-          "one.");
-    c.def("apply_impulse", apply_impulse, nb::arg("impulse"), nb::arg("at").none() = nb::none(),
-          "Change the velocity at once by an impulse (newton seconds), at a point of the world or the centre of mass.");
-    c.def("apply_torque", apply_torque, nb::arg("torque"), "Turn with `torque` (newton metres) during the next step.");
-    c.def("apply_angular_impulse", apply_angular_impulse, nb::arg("impulse"), "Change the spin at once (kg m2/s).");
+    constexpr const char *kForce = "def apply_force(self, force: evilengine.values.vec2.Point,"
+                                   " at: evilengine.values.vec2.Point | None = None) -> None",
+                         *kImpulse = "def apply_impulse(self, impulse: evilengine.values.vec2.Point,"
+                                     " at: evilengine.values.vec2.Point | None = None) -> None";
+    def_method(c, kOwner, "apply_force", kForce, {"force", "at"}, apply_force, nb::arg("force").none(),
+               nb::arg("at").none() = nb::none(),
+               "Push with `force` (newtons) during the next step, at a point of the world; at the centre of mass "
+               "without one.");
+    def_method(c, kOwner, "apply_impulse", kImpulse, {"impulse", "at"}, apply_impulse, nb::arg("impulse").none(),
+               nb::arg("at").none() = nb::none(),
+               "Change the velocity at once by an impulse (newton seconds), at a point of the world or the centre of "
+               "mass.");
+    def_method(c, kOwner, "apply_torque", "def apply_torque(self, torque: float) -> None", {"torque"}, apply_torque,
+               nb::arg("torque").none(), "Turn with `torque` (newton metres) during the next step.");
+    def_method(c, kOwner, "apply_angular_impulse", "def apply_angular_impulse(self, impulse: float) -> None",
+               {"impulse"}, apply_angular_impulse, nb::arg("impulse").none(), "Change the spin at once (kg m2/s).");
     c.def_prop_ro(
         "force", [](const BodyHandle& h) { return from_vec2(row(h).force); },
         "Gathered by apply_force since the last step.");
@@ -181,9 +194,9 @@ void bind_pushes(nb::class_<BodyHandle>& c) {
 
 void bind_mass(nb::class_<BodyHandle>& c) {
     auto fixed = [](const Body& b) { return b.kind != BodyKind::dynamic; };
-    c.def_prop_rw(
-        "mass", [fixed](const BodyHandle& h) { return fixed(row(h)) ? HUGE_VAL : double(row(h).mass); }, set_mass_of,
-        "Kilograms; infinite for a static or kinematic body. Writing it scales the inertia along.");
+    def_value(
+        c, "mass", kNumber, [fixed](const BodyHandle& h) { return fixed(row(h)) ? HUGE_VAL : double(row(h).mass); },
+        set_mass_of, "Kilograms; infinite for a static or kinematic body. Writing it scales the inertia along.");
     c.def_prop_ro(
         "inertia", [fixed](const BodyHandle& h) { return fixed(row(h)) ? HUGE_VAL : double(row(h).inertia); },
         "About the centre of mass, kg m2; infinite for a static or kinematic body.");
@@ -210,17 +223,19 @@ void bind_state(nb::class_<BodyHandle>& c) {
             require_alive(h);
             set_kind(*h.world, h.ref.slot, static_cast<BodyKind>(kind));
         });
-    c.def_prop_rw(
-        "bullet", [](const BodyHandle& h) { return row(h).bullet; },
-        [](const BodyHandle& h, bool on) { row(h).bullet = on; }, "Marked as fast and thin, for continuous collision.");
-    c.def_prop_rw(
-        "touchable", [](const BodyHandle& h) { return row(h).touchable; },
-        [](const BodyHandle& h, bool on) { row(h).touchable = on; }, "Fingers and the mouse can hold it.");
-    c.def_prop_rw(
-        "awake", [](const BodyHandle& h) { return row(h).awake; },
-        [](const BodyHandle& h, bool on) {
+    def_value(
+        c, "bullet", kSwitch, [](const BodyHandle& h) { return row(h).bullet; },
+        [](const BodyHandle& h, nb::handle on) { row(h).bullet = to_bool(on, kOwner, "bullet"); },
+        "Marked as fast and thin, for continuous collision.");
+    def_value(
+        c, "touchable", kSwitch, [](const BodyHandle& h) { return row(h).touchable; },
+        [](const BodyHandle& h, nb::handle on) { row(h).touchable = to_bool(on, kOwner, "touchable"); },
+        "Fingers and the mouse can hold it.");
+    def_value(
+        c, "awake", kSwitch, [](const BodyHandle& h) { return row(h).awake; },
+        [](const BodyHandle& h, nb::handle on) {
             Body& b = row(h);
-            if (on) return wake(*h.world, h.ref.slot);
+            if (to_bool(on, kOwner, "awake")) return wake(*h.world, h.ref.slot);
             if (b.kind != BodyKind::dynamic) return;
             b.awake = false;
             b.velocity = {};
@@ -235,8 +250,8 @@ void bind_state(nb::class_<BodyHandle>& c) {
             h.world->bodies.tags[h.ref.slot] = tag;
             h.tag = tag;
         });
-    c.def_prop_rw(
-        "scale", [](const BodyHandle& h) { return from_vec2(row(h).scale); }, set_scale_of,
+    def_value(
+        c, "scale", kPoint, [](const BodyHandle& h) { return from_vec2(row(h).scale); }, set_scale_of,
         "(x, y) that all its shapes are stretched by; mass follows unless it was set.");
     c.def_prop_ro("_matrix", [](const BodyHandle& h) { return from_affine(body_matrix(row(h))); });
     c.def("_apply_matrix", [](const BodyHandle& h, nb::handle matrix) {

@@ -32,6 +32,11 @@ bool to_double(nb::handle value, double& out) {
 
 } // namespace
 
+bool is_text(nb::handle value) {
+    PyObject* v = value.ptr();
+    return PyUnicode_Check(v) || PyBytes_Check(v) || PyByteArray_Check(v);
+}
+
 void load_python_types() {
     nb::object errors = nb::module_::import_("evilengine.values.errors");
     for (std::size_t i = 0; i < std::size(kErrorNames); ++i)
@@ -47,7 +52,7 @@ void raise(ErrorKind kind, const std::string& message) {
 
 float to_float(nb::handle value, const char* owner, const char* argument) {
     double number = 0.0;
-    if (!to_double(value, number))
+    if (PyBool_Check(value.ptr()) || !to_double(value, number))
         raise(ErrorKind::argument_type,
               std::string(owner) + ": " + argument + "=" + text_of(value) + " must be a number");
     float result = static_cast<float>(number);
@@ -62,7 +67,7 @@ Vec2 to_vec2(nb::handle value, const char* owner, const char* argument) {
     if (PyTuple_Check(pair)) {
         ok =
             PyTuple_Size(pair) == 2 && to_double(PyTuple_GetItem(pair, 0), x) && to_double(PyTuple_GetItem(pair, 1), y);
-    } else if (PySequence_Check(pair) && !PyUnicode_Check(pair) && PySequence_Size(pair) == 2) {
+    } else if (PySequence_Check(pair) && !is_text(pair) && PySequence_Size(pair) == 2) {
         nb::object first = nb::steal(PySequence_GetItem(pair, 0)), second = nb::steal(PySequence_GetItem(pair, 1));
         ok = first.is_valid() && second.is_valid() && to_double(first, x) && to_double(second, y);
     }
@@ -73,6 +78,20 @@ Vec2 to_vec2(nb::handle value, const char* owner, const char* argument) {
     Vec2 result{static_cast<float>(x), static_cast<float>(y)};
     if (!is_finite(result)) raise_not_finite(value, owner, argument);
     return result;
+}
+
+bool to_bool(nb::handle value, const char* owner, const char* argument) {
+    if (!PyBool_Check(value.ptr()))
+        raise(ErrorKind::argument_type,
+              std::string(owner) + ": " + argument + "=" + text_of(value) + " must be True or False");
+    return value.ptr() == Py_True;
+}
+
+void refuse_call(const std::string& name, const std::vector<std::string>& words, nb::args args, nb::kwargs keywords) {
+    nb::list known;
+    for (const std::string& word : words) known.append(word);
+    nb::module_::import_("evilengine.values.checks").attr("refuse_call")(name, known, args, keywords);
+    raise(ErrorKind::argument_type, name + "() was not called as it should be");
 }
 
 PyVec2 from_vec2(Vec2 value) {

@@ -81,10 +81,13 @@ template <class H> void bind_identity(nb::class_<H>& c) {
     c.def_prop_ro("slot", [](const H& h) { return h.ref.slot; }, "Row of this object in the world's arrays.");
     c.def_prop_ro(
         "generation", [](const H& h) { return h.ref.generation; }, "How often that row has been taken and freed.");
-    c.def("__eq__", [](const H& h, nb::handle other) {
-        const H* o = nullptr;
-        return nb::try_cast<const H*>(other, o) && o && o->world == h.world && o->ref == h.ref;
-    });
+    c.def(
+        "__eq__",
+        [](const H& h, nb::handle other) {
+            const H* o = nullptr;
+            return nb::try_cast<const H*>(other, o) && o && o->world == h.world && o->ref == h.ref;
+        },
+        nb::arg("other").none(), nb::sig("def __eq__(self, other: object, /) -> bool"));
     c.def("__hash__", [](const H& h) {
         auto where = reinterpret_cast<std::uintptr_t>(h.world.get());
         return static_cast<Py_hash_t>((std::uint64_t{h.ref.slot} << 32 ^ h.ref.generation ^ (where >> 4)) &

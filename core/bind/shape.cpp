@@ -29,8 +29,8 @@ Anything outline(const ShapeHandle& h) {
 
 template <float Material::* Field>
 void bind_material(nb::class_<ShapeHandle>& c, const char* name, float most, const char* doc) {
-    c.def_prop_rw(
-        name, [](const ShapeHandle& h) { return row(h).material.*Field; },
+    def_value(
+        c, name, kNumber, [](const ShapeHandle& h) { return row(h).material.*Field; },
         [name, most](const ShapeHandle& h, nb::handle value) {
             Shape& shape = row(h);
             shape.material.*Field = in_range(value, "Shape", name, 0.0f, most);
@@ -97,8 +97,8 @@ void register_shape(nb::module_& module) {
     bind_identity(c);
     bind_material<&Material::friction>(c, "friction", 1e6f, "Friction coefficient; a pair mixes its two as sqrt(a b).");
     bind_material<&Material::restitution>(c, "restitution", 1.0f, "0: no bounce, 1: full; a pair takes the larger.");
-    c.def_prop_rw(
-        "density", [](const ShapeHandle& h) { return row(h).material.density; },
+    def_value(
+        c, "density", kNumber, [](const ShapeHandle& h) { return row(h).material.density; },
         [](const ShapeHandle& h, nb::handle value) {
             require_alive(h);
             MassProblem problem = set_density(*h.world, h.ref.slot, in_range(value, "Shape", "density", 0.0f, 1e9f));

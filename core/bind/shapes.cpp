@@ -62,15 +62,15 @@ nb::tuple mass_tuple(const MassProperties& m) { return nb::make_tuple(m.mass, m.
 } // namespace
 
 std::vector<Vec2> to_corners(nb::handle points, const char* owner, const char* argument) {
-    bool text = PyUnicode_Check(points.ptr()) || PyBytes_Check(points.ptr());
-    Py_ssize_t count = !text && PySequence_Check(points.ptr()) ? PySequence_Size(points.ptr()) : -1;
+    Py_ssize_t count = !is_text(points) && PySequence_Check(points.ptr()) ? PySequence_Size(points.ptr()) : -1;
     PyErr_Clear();
     if (count < 0) not_corners(points, owner, argument);
     std::vector<Vec2> corners;
     corners.reserve(static_cast<std::size_t>(count));
     for (Py_ssize_t i = 0; i < count; ++i) {
         nb::object pair = nb::steal(PySequence_GetItem(points.ptr(), i));
-        bool good = pair.is_valid() && PySequence_Check(pair.ptr()) && PySequence_Size(pair.ptr()) == 2;
+        bool good =
+            pair.is_valid() && !is_text(pair) && PySequence_Check(pair.ptr()) && PySequence_Size(pair.ptr()) == 2;
         PyErr_Clear();
         Vec2 corner;
         if (good) corner = {coordinate(pair, 0, good), coordinate(pair, 1, good)};

@@ -282,11 +282,14 @@ void register_world(nb::module_& module) {
     c.def_prop_ro("velocities", [](const World& w) { return view_of(w, &Arrays::velocities, 2); });
     c.def_prop_ro("matrices", [](const World& w) { return view_of(w, &Arrays::matrices, 16); });
     c.def("ray_cast", cast_ray, nb::arg("start"), nb::arg("end"));
-    c.def("bodies_at", [](const World& w, nb::handle point) {
-        std::vector<std::uint32_t> found;
-        bodies_at(w.shapes, w.bodies, to_vec2(point, "World.bodies_at", "point"), found);
-        return found;
-    });
+    c.def(
+        "bodies_at",
+        [](const World& w, nb::handle point) {
+            std::vector<std::uint32_t> found;
+            bodies_at(w.shapes, w.bodies, to_vec2(point, "World.bodies_at", "point"), found);
+            return found;
+        },
+        nb::arg("point"));
     c.def("overlapping", overlapping, nb::arg("shape"), nb::arg("at"), nb::arg("angle"));
     c.def("snapshot", [](const World& w) {
         std::vector<std::uint8_t> bytes = snapshot(w);

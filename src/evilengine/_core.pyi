@@ -1,7 +1,7 @@
 """EvilEngine's C++ core. Use evilengine, its public face."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, Never, overload
 
 import evilengine.values.vec2
 
@@ -49,7 +49,7 @@ class Shape:
     def generation(self) -> int:
         """How often that row has been taken and freed."""
 
-    def __eq__(self, arg: object, /) -> bool: ...
+    def __eq__(self, other: object, /) -> bool: ...
 
     def __hash__(self) -> int: ...
 
@@ -60,21 +60,21 @@ class Shape:
         """Friction coefficient; a pair mixes its two as sqrt(a b)."""
 
     @friction.setter
-    def friction(self, arg: object, /) -> None: ...
+    def friction(self, value: float, /) -> None: ...
 
     @property
     def restitution(self) -> float:
         """0: no bounce, 1: full; a pair takes the larger."""
 
     @restitution.setter
-    def restitution(self, arg: object, /) -> None: ...
+    def restitution(self, value: float, /) -> None: ...
 
     @property
     def density(self) -> float:
         """Relative to water, 1.0: kilograms a square metre."""
 
     @density.setter
-    def density(self, arg: object, /) -> None: ...
+    def density(self, value: float, /) -> None: ...
 
     @property
     def mass(self) -> float:
@@ -184,7 +184,7 @@ class World:
 
     def ray_cast(self, start: object, end: object) -> tuple[Any, ...] | None: ...
 
-    def bodies_at(self, arg: object, /) -> list[int]: ...
+    def bodies_at(self, point: object) -> list[int]: ...
 
     def overlapping(self, shape: ShapeSpec, at: object, angle: float) -> list[int]: ...
 
@@ -219,7 +219,7 @@ class Body:
     def generation(self) -> int:
         """How often that row has been taken and freed."""
 
-    def __eq__(self, arg: object, /) -> bool: ...
+    def __eq__(self, other: object, /) -> bool: ...
 
     def __hash__(self) -> int: ...
 
@@ -232,57 +232,85 @@ class Body:
         """
 
     @position.setter
-    def position(self, arg: object, /) -> None: ...
+    def position(self, value: evilengine.values.vec2.Point, /) -> None: ...
 
     @property
     def angle(self) -> float:
         """Radians, counter-clockwise; it is not wrapped, so two turns are 4 pi."""
 
     @angle.setter
-    def angle(self, arg: object, /) -> None: ...
+    def angle(self, value: float, /) -> None: ...
 
     @property
     def velocity(self) -> evilengine.values.vec2.Vec2:
         """Of the centre of mass, metres a second."""
 
     @velocity.setter
-    def velocity(self, arg: object, /) -> None: ...
+    def velocity(self, value: evilengine.values.vec2.Point, /) -> None: ...
 
     @property
     def angular_velocity(self) -> float:
         """Radians a second."""
 
     @angular_velocity.setter
-    def angular_velocity(self, arg: object, /) -> None: ...
+    def angular_velocity(self, value: float, /) -> None: ...
 
     @property
     def centre(self) -> evilengine.values.vec2.Vec2:
         """The centre of mass, in the world."""
 
-    def velocity_at(self, point: object) -> evilengine.values.vec2.Vec2:
+    @overload
+    def velocity_at(self, point: evilengine.values.vec2.Point) -> evilengine.values.vec2.Vec2:
         """Velocity of the body's matter at a point of the world."""
 
-    def to_world(self, point: object) -> evilengine.values.vec2.Vec2:
+    @overload
+    def velocity_at(self, *args: Never, **words: Never) -> Never: ...
+
+    @overload
+    def to_world(self, point: evilengine.values.vec2.Point) -> evilengine.values.vec2.Vec2:
         """A point of the body's own frame, in the world."""
 
-    def to_local(self, point: object) -> evilengine.values.vec2.Vec2:
+    @overload
+    def to_world(self, *args: Never, **words: Never) -> Never: ...
+
+    @overload
+    def to_local(self, point: evilengine.values.vec2.Point) -> evilengine.values.vec2.Vec2:
         """A point of the world, in the body's own frame."""
 
-    def apply_force(self, force: object, at: object | None = None) -> None:
+    @overload
+    def to_local(self, *args: Never, **words: Never) -> Never: ...
+
+    @overload
+    def apply_force(self, force: evilengine.values.vec2.Point, at: evilengine.values.vec2.Point | None = None) -> None:
         """
         Push with `force` (newtons) during the next step, at a point of the world; at the centre of mass without one.
         """
 
-    def apply_impulse(self, impulse: object, at: object | None = None) -> None:
+    @overload
+    def apply_force(self, *args: Never, **words: Never) -> Never: ...
+
+    @overload
+    def apply_impulse(self, impulse: evilengine.values.vec2.Point, at: evilengine.values.vec2.Point | None = None) -> None:
         """
         Change the velocity at once by an impulse (newton seconds), at a point of the world or the centre of mass.
         """
 
-    def apply_torque(self, torque: object) -> None:
+    @overload
+    def apply_impulse(self, *args: Never, **words: Never) -> Never: ...
+
+    @overload
+    def apply_torque(self, torque: float) -> None:
         """Turn with `torque` (newton metres) during the next step."""
 
-    def apply_angular_impulse(self, impulse: object) -> None:
+    @overload
+    def apply_torque(self, *args: Never, **words: Never) -> Never: ...
+
+    @overload
+    def apply_angular_impulse(self, impulse: float) -> None:
         """Change the spin at once (kg m2/s)."""
+
+    @overload
+    def apply_angular_impulse(self, *args: Never, **words: Never) -> Never: ...
 
     @property
     def force(self) -> evilengine.values.vec2.Vec2:
@@ -305,7 +333,7 @@ class Body:
         """
 
     @mass.setter
-    def mass(self, arg: object, /) -> None: ...
+    def mass(self, value: float, /) -> None: ...
 
     @property
     def inertia(self) -> float:
@@ -326,42 +354,42 @@ class Body:
         """Fraction of velocity kept per second; 1: none is lost."""
 
     @damping.setter
-    def damping(self, arg: object, /) -> None: ...
+    def damping(self, value: float, /) -> None: ...
 
     @property
     def angular_damping(self) -> float:
         """Fraction of spin kept per second; 1: none is lost."""
 
     @angular_damping.setter
-    def angular_damping(self, arg: object, /) -> None: ...
+    def angular_damping(self, value: float, /) -> None: ...
 
     @property
     def drag(self) -> float:
         """How strongly drag and media act on it; 1 as they are, 0 not at all."""
 
     @drag.setter
-    def drag(self, arg: object, /) -> None: ...
+    def drag(self, value: float, /) -> None: ...
 
     @property
     def gravity_scale(self) -> float:
         """How strongly the world's gravity acts on it."""
 
     @gravity_scale.setter
-    def gravity_scale(self, arg: object, /) -> None: ...
+    def gravity_scale(self, value: float, /) -> None: ...
 
     @property
     def friction(self) -> float:
         """Of all its shapes; pairs mix as sqrt(a b)."""
 
     @friction.setter
-    def friction(self, arg: object, /) -> None: ...
+    def friction(self, value: float, /) -> None: ...
 
     @property
     def restitution(self) -> float:
         """Of all its shapes; pairs take the larger."""
 
     @restitution.setter
-    def restitution(self, arg: object, /) -> None: ...
+    def restitution(self, value: float, /) -> None: ...
 
     @property
     def _kind(self) -> int: ...
@@ -374,14 +402,14 @@ class Body:
         """Marked as fast and thin, for continuous collision."""
 
     @bullet.setter
-    def bullet(self, arg: bool, /) -> None: ...
+    def bullet(self, value: bool, /) -> None: ...
 
     @property
     def touchable(self) -> bool:
         """Fingers and the mouse can hold it."""
 
     @touchable.setter
-    def touchable(self, arg: bool, /) -> None: ...
+    def touchable(self, value: bool, /) -> None: ...
 
     @property
     def awake(self) -> bool:
@@ -390,7 +418,7 @@ class Body:
         """
 
     @awake.setter
-    def awake(self, arg: bool, /) -> None: ...
+    def awake(self, value: bool, /) -> None: ...
 
     @property
     def _tag(self) -> str: ...
@@ -405,7 +433,7 @@ class Body:
         """
 
     @scale.setter
-    def scale(self, arg: object, /) -> None: ...
+    def scale(self, value: evilengine.values.vec2.Point, /) -> None: ...
 
     @property
     def _matrix(self) -> tuple[float, ...]: ...
@@ -435,7 +463,7 @@ class Force:
     def generation(self) -> int:
         """How often that row has been taken and freed."""
 
-    def __eq__(self, arg: object, /) -> bool: ...
+    def __eq__(self, other: object, /) -> bool: ...
 
     def __hash__(self) -> int: ...
 

@@ -40,6 +40,7 @@ class Mat4(tuple[float, ...]):
 
     __slots__ = ()
 
+    @known_keywords
     def __new__(cls, values: Iterable[float] | bytes) -> Mat4:
         return tuple.__new__(cls, _core.mat4(values))
 

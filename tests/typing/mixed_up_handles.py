@@ -18,4 +18,9 @@ def mistakes(world: evil.World, body: evil.Body, shape: evil.Shape, force: evil.
     world.add_force(force, [shape])  # type: ignore[list-item]
     body.add_shape(shape)  # type: ignore[arg-type]
     evil.Spring(to=shape)  # type: ignore[arg-type]
+    body.position = 3  # type: ignore[assignment]
+    body.angle = (0, 1)  # type: ignore[assignment]
+    body.touchable = "yes"  # type: ignore[assignment]
+    body.apply_force(5)  # type: ignore[call-overload]
+    body.apply_force((0, 1), point=(0, 0))  # type: ignore[call-overload]
     print(a, b, c)

@@ -119,6 +119,7 @@ class Game:
 
     # One frame ------------------------------------------------------------------------------------------------------
 
+    @known_keywords
     def frame(self, now: float) -> None:
         """One frame at wall time `now`, in seconds: the steps that are due, then the picture. `run` calls it."""
         self._refuse_in_a_callback("Game.frame")
@@ -134,6 +135,7 @@ class Game:
         self._draw()
         self.device.show(self.renderer.pixels, self.device.pixel_size)
 
+    @known_keywords
     def step(self, n: int = 1) -> None:
         """Simulate `n` steps of 1/60 s by hand, paused or not; nothing is drawn and no clock is read."""
         self._refuse_in_a_callback("Game.step")
@@ -233,6 +235,7 @@ class Game:
         """The fingers on the screen, the mouse with its button down among them."""
         return self._inputs.touches
 
+    @known_keywords
     def axis(self, negative: str | Iterable[str], positive: str | Iterable[str]) -> float:
         """-1 while the key `negative` is held, 1 while `positive` is, 0 with both or none.
 
@@ -283,6 +286,7 @@ class Game:
         """Put a line of text on the screen, `at` logical points from its top left corner."""
         return self.scene.text(text, **options)
 
+    @known_keywords
     def add_background(self, what: ColourLike) -> Drawing | None:
         """Set what lies behind everything: a colour, or an image by its file name, which covers what the camera shows.
 
@@ -297,6 +301,7 @@ class Game:
         shape = Rectangle(width * metres, height * metres)
         return self.scene.add(shape, at=self.camera.position, texture=what, layer=-DEEPEST_LAYER)
 
+    @known_keywords
     def load(self, path: str | Path) -> Level:
         """Build a level script into this game and return the level, whose things have names: `level["ball"]`.
 
@@ -306,6 +311,7 @@ class Game:
 
         return level.load(self, self.find(path))
 
+    @known_keywords
     def find(self, name: str | Path) -> Path:
         """The file called `name`, in the game's folder or in the current one. Raises AssetError if it is in neither."""
         for folder in (self.folder, Path.cwd()):
@@ -331,6 +337,7 @@ class Game:
 
     # Running ----------------------------------------------------------------------------------------------------------
 
+    @known_keywords
     def run(self, seconds: float | None = None) -> None:
         """Play until the window is closed, `quit()` is called, or `seconds` have passed.
 

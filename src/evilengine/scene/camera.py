@@ -102,6 +102,7 @@ class Camera:
     def view_height(self, value: float | None) -> None:
         self._fit = None if value is None else (0.0, _metres(value, "Camera", "view_height"))
 
+    @known_keywords
     def fit(self, width: float, height: float) -> None:
         """Show at least `width` x `height` metres at zoom 1, as large as fits the screen, also when that changes.
 
@@ -123,6 +124,7 @@ class Camera:
         width, height = self._fit
         return min(self._size[0] / width if width else math.inf, self._size[1] / height)
 
+    @known_keywords
     def to_pixel(self, point: Point) -> Vec2:
         """Where `point` of the world is on the screen, in logical points; also for points that are not on it."""
         x, y = to_vec2(point, "Camera.to_pixel", "point") - self._position
@@ -131,6 +133,7 @@ class Camera:
         across, up = c * x + s * y, c * y - s * x
         return Vec2(self._size[0] / 2 + across * per_metre, self._size[1] / 2 - up * per_metre)
 
+    @known_keywords
     def to_world(self, pixel: Point) -> Vec2:
         """The point of the world that is at `pixel` (logical points) of the screen; undoes `to_pixel`."""
         x, y = to_vec2(pixel, "Camera.to_world", "pixel")
@@ -139,6 +142,7 @@ class Camera:
         c, s = math.cos(self._angle), math.sin(self._angle)
         return Vec2(c * across - s * up, s * across + c * up) + self._position
 
+    @known_keywords
     def sees(self, point: Point, *, margin: float = 0.0) -> bool:
         """Is `point` of the world on the screen, or at most `margin` metres beside it?"""
         x, y = self.to_pixel(point)

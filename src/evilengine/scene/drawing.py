@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from evilengine.scene.camera import Matrix6
-from evilengine.values.checks import number
+from evilengine.values.checks import known_keywords, number
 from evilengine.values.colour import BACKGROUND, Colour, ColourLike, to_colour
 from evilengine.values.errors import ArgumentError, ArgumentTypeError, StaleReferenceError
 from evilengine.values.vec2 import Point, to_vec2
@@ -113,6 +113,7 @@ class Drawing:
         slot, generation = self._at()
         self._scene._core.set_matrix(slot, generation, to_matrix6(value, "Drawing", "matrix"))
 
+    @known_keywords
     def place(self, at: Point, angle: float = 0.0, *, scale: float = 1.0) -> None:
         """Set the matrix from a position, an angle in radians and a scale."""
         slot, generation = self._at()

@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable
 from typing import TypeAlias
 
-from evilengine.values.checks import number
+from evilengine.values.checks import known_keywords, number
 from evilengine.values.errors import ArgumentTypeError
 from evilengine.values.tick import STEP
 
@@ -85,11 +85,13 @@ class Schedule:
         """How many events wait."""
         return len(self._heap)
 
+    @known_keywords
     def after(self, seconds: float, call: Callback) -> Event:
         """Call `call()` once, `seconds` from now (0 or more; 0 is the next step)."""
         seconds = number(seconds, "timer.after", "seconds", least=0.0, most=LONGEST)
         return self._plan("timer.after", self.time + seconds, 0.0, call)
 
+    @known_keywords
     def every(self, seconds: float, call: Callback) -> Event:
         """Call `call()` every `seconds`, the first time `seconds` from now, until it is cancelled.
 
@@ -98,6 +100,7 @@ class Schedule:
         seconds = number(seconds, "timer.every", "seconds", least=STEP, most=LONGEST)
         return self._plan("timer.every", self.time + seconds, seconds, call)
 
+    @known_keywords
     def at(self, time: float, call: Callback) -> Event:
         """Call `call()` once when simulated time reaches `time`, at the next step if that has passed."""
         return self._plan("timer.at", number(time, "timer.at", "time", least=0.0, most=LONGEST), 0.0, call)

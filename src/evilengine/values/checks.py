@@ -6,8 +6,8 @@ import difflib
 import functools
 import inspect
 import math
-from collections.abc import Callable, Iterable
-from typing import ParamSpec, TypeVar
+from collections.abc import Callable, Iterable, Mapping
+from typing import NoReturn, ParamSpec, TypeVar
 
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
 
@@ -30,15 +30,10 @@ def number(
     >>> number(2, "Circle", "radius", above=0)
     2.0
     """
-    if isinstance(value, bool) or not isinstance(value, (int, float)):
-        try:
-            value = float(value.__float__())  # type: ignore[attr-defined]
-        except (AttributeError, TypeError, ValueError):
-            raise ArgumentTypeError(f"{owner}: {argument}={value!r} must be a number") from None
     try:
-        result = float(value)
-    except OverflowError:
-        result = math.inf
+        result = to_float(value)
+    except TypeError:
+        raise ArgumentTypeError(f"{owner}: {argument}={value!r} must be a number") from None
     inside = (
         math.isfinite(result)
         and (above is None or result > above)
@@ -48,6 +43,24 @@ def number(
     if not inside:
         raise error(f"{owner}: {argument}={value!r} must be {_allowed(above, least, most)}")
     return result
+
+
+def to_float(value: object) -> float:
+    """`value` as a float, infinite where it is too large for one, or TypeError: True, "1" and None are no numbers.
+
+    >>> to_float(2), to_float(10**400)
+    (2.0, inf)
+    """
+    if isinstance(value, float):
+        return float(value)
+    if isinstance(value, bool) or not hasattr(value, "__float__"):
+        raise TypeError(f"{value!r} is no number")
+    try:
+        return float(value.__float__())
+    except OverflowError:
+        return math.inf
+    except ValueError as problem:  # an array of several
+        raise TypeError(str(problem)) from None
 
 
 def _allowed(above: float | None, least: float | None, most: float | None) -> str:
@@ -84,17 +97,37 @@ def did_you_mean(word: object, words: Iterable[str]) -> str:
 def known_keywords(function: Callable[P, R]) -> Callable[P, R]:
     """Make an unknown keyword argument an error of ours, with the nearest known one."""
     parameters = inspect.signature(function).parameters.values()
-    known = {p.name for p in parameters if p.kind in (p.KEYWORD_ONLY, p.POSITIONAL_OR_KEYWORD)}
+    known = [
+        p.name
+        for p in parameters
+        if p.kind in (p.KEYWORD_ONLY, p.POSITIONAL_OR_KEYWORD) and p.name not in ("self", "cls")
+    ]
+    words = frozenset(known)
     name = function.__qualname__.removesuffix(".__init__").removesuffix(".__new__")
 
     @functools.wraps(function)
     def checked(*args: P.args, **kwargs: P.kwargs) -> R:
-        if not kwargs.keys() <= known:
-            word = next(key for key in kwargs if key not in known)
-            raise ArgumentTypeError(
-                f"{name}() got an unknown argument {word}={kwargs[word]!r}{did_you_mean(word, known - {'self'})}"
-                f"; it takes {', '.join(sorted(known - {'self'}))}"
-            )
+        if kwargs and not kwargs.keys() <= words:
+            refuse_unknown(name, known, kwargs)
         return function(*args, **kwargs)
 
     return checked
+
+
+def refuse_unknown(name: str, known: Iterable[str], given: Mapping[str, object]) -> None:
+    """Raise the error that names the first word in `given` that `name` does not take; without one, do nothing."""
+    words = list(known)
+    word = next((word for word in given if word not in words), None)
+    if word is not None:
+        raise ArgumentTypeError(
+            f"{name}() got an unknown argument {word}={given[word]!r}{did_you_mean(word, words)}"
+            f"; it takes {', '.join(words)}"
+        )
+
+
+def refuse_call(name: str, known: Iterable[str], args: tuple[object, ...], given: Mapping[str, object]) -> NoReturn:
+    """The error for a call of the core that fits none of its forms."""
+    words = list(known)
+    refuse_unknown(name, words, given)
+    count = len(args) + len(given)
+    raise ArgumentTypeError(f"{name}() takes {', '.join(words)}; it was called with {count} argument(s)")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from evilengine.values.checks import known_keywords
 from evilengine.values.errors import ArgumentError
 
 
@@ -22,6 +23,7 @@ class Image:
     """A (height, width, 4) view of unsigned bytes; `numpy.asarray(image.pixels)` needs no copy."""
 
     @staticmethod
+    @known_keywords
     def of(width: int, height: int, data: bytes | bytearray | memoryview) -> Image:
         """An image over `data`, width * height * 4 bytes, which it keeps alive and does not copy."""
         flat = memoryview(data).cast("B")
@@ -38,6 +40,7 @@ class Image:
         """The pixels as bytes, row by row from the top."""
         return self.pixels.tobytes()
 
+    @known_keywords
     def save(self, path: str | Path) -> Path:
         """Write the image to `path`; the ending chooses the format (.png, .webp, .jpg, ...)."""
         from evilengine.values import picture_files  # Pillow is slow to import, so only when it is needed

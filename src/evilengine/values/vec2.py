@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import TypeAlias, cast
 
+from evilengine.values.checks import to_float
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
 
 
@@ -27,7 +28,9 @@ class Vec2(tuple[float, float]):
 
     def __new__(cls, x: float = 0.0, y: float = 0.0) -> Vec2:
         try:
-            return tuple.__new__(cls, (float(x), float(y)))
+            return tuple.__new__(cls, (float(x * 1.0), float(y * 1.0)))  # a string times 1.0 is an error, not a number
+        except OverflowError:
+            raise ArgumentError(f"Vec2({x!r}, {y!r}): x and y are too large") from None
         except (TypeError, ValueError):
             raise ArgumentTypeError(
                 f"Vec2({x!r}, {y!r}): x and y must be numbers; Vec2(*pair) unpacks a pair"
@@ -142,6 +145,10 @@ Point: TypeAlias = Vec2 | tuple[float, float] | Sequence[float]
 """Whatever a function takes for a point: a Vec2 or any pair of numbers."""
 
 
+NO_PAIRS = (str, bytes, bytearray, dict, set, frozenset)
+"""What can be taken apart into two and is no point all the same."""
+
+
 def to_vec2(value: object, owner: str, argument: str) -> Vec2:
     """`value` as a finite Vec2, or an error that names `owner` and `argument`.
 
@@ -151,8 +158,10 @@ def to_vec2(value: object, owner: str, argument: str) -> Vec2:
     if type(value) is Vec2 and math.isfinite(value[0]) and math.isfinite(value[1]):
         return value
     try:
+        if isinstance(value, NO_PAIRS):
+            raise TypeError
         x, y = cast("tuple[float, float]", value)
-        point = Vec2(float(x), float(y))
+        point = Vec2(to_float(x), to_float(y))
     except (TypeError, ValueError):
         raise ArgumentTypeError(
             f"{owner}: {argument}={value!r} must be a point, a pair of numbers such as (0, 1)"

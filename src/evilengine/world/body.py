@@ -69,6 +69,7 @@ class Body(_core.Body):
         """Body to world: position, rotation and scale, 16 floats column by column (SPEC P4)."""
         return Mat4(self._matrix)
 
+    @known_keywords
     def apply_matrix(self, matrix: Mat4) -> None:
         """Apply a 4x4 matrix after the body's own: move, turn and scale it in one go.
 
@@ -127,6 +128,7 @@ class Body(_core.Body):
 
     # -- forces --
 
+    @known_keywords
     def add_force(self, force: AnyForce) -> AnyForce:
         """Let `force` act on this body; returns it. One that is in this world already is shared.
 
@@ -176,6 +178,7 @@ class Body(_core.Body):
                 self._world._updated.append(self)
         return self._callbacks[name]
 
+    @known_keywords
     def follow(self, motion: Motion | None) -> None:
         """Let a kinematic body follow a given motion: `motion(time)` gives where it shall be at that simulated time.
 
@@ -245,6 +248,7 @@ class Shape(_core.Shape):
         """Shape to body (SPEC P4)."""
         return Mat4(self._matrix)
 
+    @known_keywords
     def apply_matrix(self, matrix: Mat4) -> None:
         """Apply a 4x4 matrix after the shape's own: move, turn, scale or shear it on its body. Mass follows.
 

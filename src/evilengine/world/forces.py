@@ -73,11 +73,13 @@ class Force:
             return tuple(body for body in self.world.bodies if body.kind == "dynamic")
         return tuple(self.world._body(slot) for slot in handle.body_slots)
 
+    @known_keywords
     def attach(self, body: Body) -> None:
         """Let it act on one more body."""
         handle = self._handle()
         handle.attach(self.world._own_body(body, "Force.attach", "body"))
 
+    @known_keywords
     def detach(self, body: Body) -> None:
         """Let it act on `body` no longer."""
         handle = self._handle()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from typing import TypeAlias
+from typing import Self, TypeAlias
 
 from evilengine import _core
 from evilengine.values.checks import known_keywords, number
@@ -42,6 +42,19 @@ class ShapeDefinition:
 
     def __hash__(self) -> int:
         return hash((type(self).__name__, self._key()))
+
+    def _arguments(self) -> tuple[object, ...]:
+        """What makes the same shape again."""
+        return self._key()
+
+    def __copy__(self) -> Self:
+        return self
+
+    def __deepcopy__(self, memo: object) -> Self:
+        return self
+
+    def __reduce__(self) -> tuple[type[ShapeDefinition], tuple[object, ...]]:
+        return type(self), self._arguments()
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({', '.join(f'{value:g}' for value in self._key())})"
@@ -108,6 +121,9 @@ class Rectangle(PolygonLike):
         spec = _core.ShapeSpec.polygon(((-x, -y), (x, -y), (x, y), (-x, y)), "Rectangle")
         self._become(width=width, height=height, _spec=spec)
 
+    def _arguments(self) -> tuple[object, ...]:
+        return self.width, self.height
+
     def __repr__(self) -> str:
         return f"Rectangle({self.width:g}, {self.height:g})"
 
@@ -133,6 +149,9 @@ class Polygon(PolygonLike):
     def _key(self) -> tuple[object, ...]:
         return self.corners
 
+    def _arguments(self) -> tuple[object, ...]:
+        return (self.corners,)
+
     def __repr__(self) -> str:
         return f"{type(self).__name__}([{', '.join(f'({x:g}, {y:g})' for x, y in self.corners)}])"
 
@@ -149,6 +168,9 @@ class Triangle(Polygon):
     @known_keywords
     def __init__(self, a: Point, b: Point, c: Point) -> None:
         super().__init__([to_vec2(p, "Triangle", name) for p, name in ((a, "a"), (b, "b"), (c, "c"))])
+
+    def _arguments(self) -> tuple[object, ...]:
+        return self.corners
 
     def __repr__(self) -> str:
         return f"Triangle({', '.join(f'({x:g}, {y:g})' for x, y in self.corners)})"

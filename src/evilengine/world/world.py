@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any, TypeVar
+from typing import Any, NoReturn, TypeVar
 
 from evilengine import _core
 from evilengine.values.checks import known_keywords, number, one_of
@@ -179,6 +179,7 @@ class World:
             self._shape(shape_slot, definition=definition)
         return body
 
+    @known_keywords
     def add_force(self, force: AnyForce, bodies: Iterable[Body] | None = None) -> AnyForce:
         """Let one `force` act on `bodies`, or on every dynamic body when none are named; returns it (SPEC P2).
 
@@ -192,6 +193,10 @@ class World:
         if not isinstance(force, Force):
             raise ArgumentTypeError(
                 f"World.add_force: force must be a Force such as Spring(...) or your own subclass; got {force!r}"
+            )
+        if type(force).apply is Force.apply and force._kind == force_kinds.PYTHON:
+            raise ArgumentTypeError(
+                f"World.add_force: {force!r} does nothing; write apply(self, bodies, dt) in its class"
             )
         me = "World.add_force"
         chosen = None if bodies is None else [self._own_body(body, me, "bodies") for body in listed(bodies)]
@@ -216,6 +221,7 @@ class World:
 
     # -- stepping --
 
+    @known_keywords
     def step(self, dt: float = 1.0 / 60.0, substeps: int = 4) -> None:
         """Move the world on by `dt` seconds (more than 0, at most 1), in `substeps` parts (1 to 256).
 
@@ -281,10 +287,12 @@ class World:
 
     # -- asking --
 
+    @known_keywords
     def find(self, tag: str) -> Body | None:
         """The first body, in creation order, with that tag, or None."""
         return next((body for body in self.bodies if body._tag == tag), None)
 
+    @known_keywords
     def ray_cast(self, start: Point, end: Point) -> RayHit | None:
         """First shape that the segment from `start` to `end` enters (world coordinates, metres), or None.
 
@@ -302,6 +310,7 @@ class World:
         body, shape, point, normal, fraction = hit
         return RayHit(self._body(body), self._shape(shape), point, normal, fraction)
 
+    @known_keywords
     def bodies_at(self, point: Point) -> tuple[Body, ...]:
         """Bodies with a shape over the point, in creation order.
 
@@ -309,7 +318,7 @@ class World:
         >>> world.bodies_at((0.5, 0.5)) == (box,), world.bodies_at((5, 5))
         (True, ())
         """
-        return tuple(self._body(slot) for slot in self._core.bodies_at(point))
+        return tuple(self._body(slot) for slot in self._core.bodies_at(to_vec2(point, "World.bodies_at", "point")))
 
     @known_keywords
     def overlapping(self, shape: ShapeDefinition, *, at: Point = (0.0, 0.0), angle: float = 0.0) -> tuple[Body, ...]:
@@ -345,12 +354,14 @@ class World:
         return self._core.checksum()
 
     @classmethod
+    @known_keywords
     def of(cls, data: bytes) -> World:
         """A new world from a snapshot."""
         world = cls()
         world.restore(data)
         return world
 
+    @known_keywords
     def restore(self, data: bytes) -> None:
         """Become what `snapshot` saw: all or nothing.
 
@@ -427,6 +438,11 @@ class World:
 
     def _forget_force(self, force: Force) -> None:
         self._forces.pop(force._handle().slot, None)
+
+    def __reduce_ex__(self, protocol: object) -> NoReturn:
+        raise ArgumentTypeError(
+            "World: cannot be copied or pickled; World.of(world.snapshot()) is a second one like it"
+        )
 
     def __repr__(self) -> str:
         return f"<World, {len(self.bodies)} bodies, step {self.steps}>"
