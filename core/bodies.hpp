@@ -49,6 +49,7 @@ struct Body {
 
     std::uint64_t serial = 0;                              // order of creation, never used again within a world
     std::uint64_t born = 0;                                // step at which it was added
+    std::uint64_t made = 0;                                // fingerprint of what it was made from; see identity.hpp
     std::uint32_t first_shape = kNone, last_shape = kNone; // its shapes in the order they were added
 };
 

@@ -131,6 +131,26 @@ void write_payload(Writer& ar, const World& w) {
     visit(ar, w.contacts.touches);
 }
 
+// Beside the State: what each object was made from, so that references know it again.
+void visit_made(auto& ar, auto& table, auto&& taken) {
+    for (std::uint32_t slot = 0; slot < table.rows.size(); ++slot)
+        if (taken(slot)) ar.value(table.rows[slot].made);
+}
+
+void write_made(Writer& ar, const World& w) {
+    auto live = [](const Slots& slots) { return [&](std::uint32_t slot) { return slots.taken(slot); }; };
+    visit_made(ar, w.bodies, live(w.bodies.slots));
+    visit_made(ar, w.shapes, live(w.shapes.slots));
+    visit_made(ar, w.forces, live(w.forces.slots));
+}
+
+void read_made(Reader& ar, SavedState& s) {
+    auto live = [](const std::vector<bool>& taken) { return [&](std::uint32_t slot) { return taken[slot]; }; };
+    visit_made(ar, s.bodies, live(s.body_taken));
+    visit_made(ar, s.shapes, live(s.shape_taken));
+    visit_made(ar, s.forces, live(s.force_taken));
+}
+
 void read_payload(Reader& ar, SavedState& s) {
     visit(ar, s.gravity, s.sleep_allowed, s.steps, s.time);
     visit(ar, s.bodies.next_serial, s.shapes.next_serial, s.forces.next_serial);
@@ -159,6 +179,7 @@ void read_payload(Reader& ar, SavedState& s) {
         });
     visit(ar, s.contacts.rows);
     visit(ar, s.contacts.touches);
+    read_made(ar, s);
     ar.ok = ar.ok && ar.at_end();
 }
 
@@ -264,12 +285,12 @@ void rebuild_pieces(SavedState& s) {
 
 // ---- references across a restore -----------------------------------------------------------------------------
 
-// The same object: created as the same one, at the same step. (Two histories could still have made two objects alike in
-// both; then they are alike in everything that made them.)
+// The same object: created as the same one in order, at the same step, from the same words.
 template <class Rows> std::vector<bool> same_objects(const Slots& slots, const Rows& before, const Rows& after) {
     std::vector<bool> same(after.size(), false);
     for (std::uint32_t i = 0; i < after.size() && i < slots.size(); ++i)
-        same[i] = slots.taken(i) && before[i].serial == after[i].serial && before[i].born == after[i].born;
+        same[i] = slots.taken(i) && before[i].serial == after[i].serial && before[i].born == after[i].born &&
+                  before[i].made == after[i].made;
     return same;
 }
 
@@ -359,6 +380,7 @@ std::uint64_t checksum(const World& world) {
 std::vector<std::uint8_t> snapshot(const World& world) {
     Writer payload;
     write_payload(payload, world);
+    write_made(payload, world);
     Writer out;
     for (char c : kMagic) out.value(c);
     out.value(kSnapshotVersion);

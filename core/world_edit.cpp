@@ -1,5 +1,5 @@
 // Adding, removing and changing by hand. Each function leaves the world consistent, also when it reports a problem.
-#include "world.hpp"
+#include "identity.hpp"
 
 namespace evil {
 namespace {
@@ -109,6 +109,7 @@ Added<BodyRef> add_body(World& world, const Body& body, const std::string& tag, 
     bodies.tags[slot] = tag;
     b.serial = bodies.next_serial++;
     b.born = world.steps;
+    b.made = fingerprint(body, tag, shapes);
     b.first_shape = b.last_shape = kNone;
     b.mass = b.set_mass > 0.0f ? b.set_mass : 1.0f;
     place_by_origin(b);
@@ -145,6 +146,7 @@ Added<ShapeRef> add_shape(World& world, std::uint32_t body, const NewShape& shap
     Shape row = shape.shape;
     row.body = body;
     row.born = world.steps;
+    row.made = fingerprint(shape);
     std::uint64_t serial = world.shapes.next_serial;
     std::uint32_t slot = add_shape_row(world.shapes, row, shape.corners, shape.parts);
     link_shape(world, body, slot);
@@ -180,6 +182,7 @@ ForceRef add_force(World& world, Force force, Area area) {
     }
     force.serial = forces.next_serial++;
     force.born = world.steps;
+    force.made = fingerprint(force, area);
     forces.rows[slot] = std::move(force);
     forces.areas[slot] = std::move(area);
     return {slot, forces.slots.generation(slot)};

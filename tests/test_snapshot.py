@@ -156,3 +156,58 @@ def test_forces_come_back_with_their_kind_and_values():
     assert (spring.stiffness, spring.to) == (7, list(twin.bodies)[1])
     assert isinstance(drag, evil.Drag)
     assert drag.linear == 2
+
+
+def test_a_handle_never_becomes_another_object_of_another_history() -> None:
+    world = evil.World()
+    before = world.snapshot()
+    world.add(evil.Circle(1), tag="ball").add_force(evil.Drag(1))
+    with_ball = world.snapshot()
+    world.restore(before)
+    crate = world.add(evil.Rectangle(1, 1), tag="crate")
+    side, spring = crate.shapes[0], crate.add_force(evil.Spring((0, 8)))
+    world.restore(with_ball)
+    for handle in (crate, side, spring):
+        assert not handle.alive
+    with pytest.raises(evil.StaleReferenceError, match='tag "crate"'):
+        _ = crate.position
+    assert [body.tag for body in world.bodies] == ["ball"]
+    assert [type(force) for force in world.forces] == [evil.Drag]
+
+
+def test_a_handle_never_becomes_an_object_of_another_world() -> None:
+    here, there = evil.World(), evil.World()
+    ball = here.add(evil.Circle(1))
+    there.add(evil.Rectangle(1, 1))
+    here.restore(there.snapshot())
+    assert not ball.alive
+    assert here.checksum() == there.checksum()
+
+
+class Push(evil.Force):
+    def apply(self, bodies, dt):
+        pass
+
+
+class Turn(evil.Force):
+    def apply(self, bodies, dt):
+        pass
+
+
+def test_a_python_force_never_becomes_one_of_another_class() -> None:
+    world = evil.World()
+    before = world.snapshot()
+    world.add_force(Push())
+    with_push = world.snapshot()
+    world.restore(before)
+    turn = world.add_force(Turn())
+    world.restore(with_push)
+    assert not turn.alive
+    assert [type(force) for force in world.forces] == [Push]
+
+
+def test_how_a_world_came_about_is_no_part_of_its_checksum() -> None:
+    one, other = evil.World(), evil.World()
+    one.add(evil.Circle(1), at=(1, 2))
+    other.add(evil.Circle(1)).position = (1, 2)
+    assert one.checksum() == other.checksum()

@@ -163,7 +163,8 @@ void set_area(Area& area, const NewShape& spec, nb::handle at, double angle) {
 
 std::uint32_t add_force_of(World& w, int kind, bool everywhere, nb::handle vector, nb::handle anchor, bool at_anchor,
                            std::uint32_t target, float stiffness, float rest_length, float damping, float linear,
-                           float quadratic, float limit, const NewShape* area, nb::handle area_at, double area_angle) {
+                           float quadratic, float limit, const NewShape* area, nb::handle area_at, double area_angle,
+                           std::string note) {
     Force f;
     f.kind = static_cast<ForceKind>(kind);
     f.everywhere = everywhere;
@@ -177,6 +178,7 @@ std::uint32_t add_force_of(World& w, int kind, bool everywhere, nb::handle vecto
     f.linear = linear;
     f.quadratic = quadratic;
     f.limit = limit;
+    f.note = std::move(note);
     Area where;
     if (area) set_area(where, *area, area_at, area_angle);
     return add_force(w, std::move(f), std::move(where)).slot;
@@ -230,7 +232,7 @@ void bind_objects(nb::class_<World>& c) {
     c.def("add_force", add_force_of, nb::kw_only(), nb::arg("kind"), nb::arg("everywhere"), nb::arg("vector"),
           nb::arg("anchor"), nb::arg("at_anchor"), nb::arg("target"), nb::arg("stiffness"), nb::arg("rest_length"),
           nb::arg("damping"), nb::arg("linear"), nb::arg("quadratic"), nb::arg("limit"), nb::arg("area").none(),
-          nb::arg("area_at"), nb::arg("area_angle"));
+          nb::arg("area_at"), nb::arg("area_angle"), nb::arg("note"));
     c.def("body_slots", body_slots);
     c.def("force_slots", [](const World& w) {
         std::vector<std::uint32_t> list;

@@ -22,7 +22,7 @@ struct Force {
     float linear = 0.0f;          // drag, medium: N s/m for a body of drag 1
     float quadratic = 0.0f;       // drag, medium: N s2/m2
     float limit = 0.0f;           // pull: largest acceleration, m/s2
-    std::uint64_t serial = 0, born = 0;
+    std::uint64_t serial = 0, born = 0, made = 0;
     std::vector<std::uint32_t> bodies; // slots, in the order they were attached
     std::string note;                  // python: what its author keeps with it; the core only saves it
 };

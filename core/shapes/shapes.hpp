@@ -21,7 +21,7 @@ struct Shape {
     float radius = 0.0f;               // circle, before `local`
     float mass = 0.0f;                 // particle
     Material material;
-    std::uint64_t serial = 0, born = 0;
+    std::uint64_t serial = 0, born = 0, made = 0;
 };
 
 // A convex polygon with any number of corners, or a circle (no corners), in the body's frame.

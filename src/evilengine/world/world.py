@@ -212,7 +212,7 @@ class World:
         values: dict[str, Any] = {
             "vector": (0.0, 0.0), "anchor": (0.0, 0.0), "at_anchor": False, "target": _core.NO_SLOT, "stiffness": 0.0,
             "rest_length": 0.0, "damping": 0.0, "linear": 0.0, "quadratic": 0.0, "limit": 0.0, "area": None,
-            "area_at": (0.0, 0.0), "area_angle": 0.0,
+            "area_at": (0.0, 0.0), "area_angle": 0.0, "note": f"{type(force).__module__}.{type(force).__qualname__}",
         }  # fmt: skip
         values.update(force._parameters(self))
         slot = self._core.add_force(kind=force._kind, everywhere=everywhere, **values)
