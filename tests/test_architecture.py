@@ -34,6 +34,7 @@ FREE_TO_IMPORT_BESIDE = {
 FOREIGN = {
     "sdl2": ("platform/",),
     "sdl2dll": ("platform/", "cli/doctor.py"),
+    "miniaudio": ("audio/decode.py",),
     "PIL": ("assets/", "values/picture_files.py", "cli/doctor.py"),
 }
 
@@ -120,7 +121,7 @@ def test_a_foreign_package_is_known_in_one_place_only(package: str) -> None:
 def test_the_engine_needs_nothing_that_is_not_declared() -> None:
     import sys
 
-    declared = {"sdl2", "sdl2dll", "PIL", "evilengine"}
+    declared = {"sdl2", "sdl2dll", "PIL", "miniaudio", "evilengine"}
     used = {name.split(".")[0] for file in python_files() for name in imports_of(file)}
     assert used - declared - sys.stdlib_module_names == set()
 
@@ -150,6 +151,7 @@ CORE_GROUND = {
     "math": {"math"},
     "shapes": {"math", "shapes"},
     "raster": {"math", "shapes", "draw", "raster"},
+    "mixer": {"math", "mixer"},
 }
 
 

@@ -32,7 +32,7 @@ def test_the_engine_imports_in_under_a_tenth_of_a_second() -> None:
 
 
 def test_import_loads_no_numpy_no_window_and_no_images() -> None:
-    heavy = {"numpy", "sdl2", "sdl2dll", "PIL", "asyncio", "unittest"}
+    heavy = {"numpy", "sdl2", "sdl2dll", "PIL", "miniaudio", "asyncio", "unittest"}
     code = f"import evilengine, sys; print(*({heavy!r} & sys.modules.keys()))"
     done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
     assert done.stdout.split() == []

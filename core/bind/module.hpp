@@ -19,5 +19,6 @@ void register_shapes(nb::module_& module);
 void register_draw_list(nb::module_& module);
 void register_raster(nb::module_& module);
 void register_scene(nb::module_& module);
+void register_mixer(nb::module_& module);
 
 } // namespace evil::bind

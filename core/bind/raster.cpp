@@ -1,30 +1,10 @@
 // _core.Raster: the software renderer over pixels that Python owns.
-#include "bind/convert.hpp"
+#include "bind/bytes.hpp"
 #include "draw/draw_list.hpp"
 #include "raster/renderer.hpp"
 
 namespace evil::bind {
 namespace {
-
-// Bytes of any Python object that shows its memory, for as long as this lives.
-class Bytes {
-public:
-    Bytes(nb::handle object, bool writable, const char* owner, const char* argument) {
-        if (PyObject_GetBuffer(object.ptr(), &view_, writable ? PyBUF_WRITABLE : PyBUF_SIMPLE) == 0) return;
-        PyErr_Clear();
-        raise(ErrorKind::argument_type,
-              std::string(owner) + ": " + argument + " must be " + (writable ? "writable " : "") + "contiguous bytes");
-    }
-    ~Bytes() { PyBuffer_Release(&view_); }
-    Bytes(const Bytes&) = delete;
-    Bytes& operator=(const Bytes&) = delete;
-
-    std::uint8_t* data() const { return static_cast<std::uint8_t*>(view_.buf); }
-    std::size_t size() const { return static_cast<std::size_t>(view_.len); }
-
-private:
-    Py_buffer view_{};
-};
 
 void check_picture(const Bytes& bytes, long width, long height, const char* owner) {
     const bool sides = width >= 1 && height >= 1 && width <= raster::kMaxSide && height <= raster::kMaxSide;

@@ -1,7 +1,7 @@
 """EvilEngine's C++ core. Use evilengine, its public face."""
 
 from collections.abc import Sequence
-from typing import Any, Never, overload
+from typing import Any, Final, Never, overload
 
 import evilengine.values.vec2
 
@@ -756,4 +756,120 @@ class Scene:
     def glyphs(self, boxes: bytes, x: float, y: float, texture: int, colour: int) -> None:
         """
         A row of textured boxes on top: eight float32 each, left top right bottom in pixels and in the texture.
+        """
+
+class Sample:
+    """A sound in memory: 32-bit floats, one or two channels, any rate."""
+
+    def __init__(self, data: object, *, channels: int, rate: float) -> None: ...
+
+    @property
+    def channels(self) -> int: ...
+
+    @property
+    def rate(self) -> float: ...
+
+    @property
+    def frames(self) -> int: ...
+
+class Stream:
+    """A sound that is written while it plays."""
+
+    def __init__(self, *, channels: int, rate: float, capacity: int) -> None: ...
+
+    @property
+    def channels(self) -> int: ...
+
+    @property
+    def rate(self) -> float: ...
+
+    @property
+    def room(self) -> int:
+        """Frames that can be written now."""
+
+    @property
+    def written(self) -> int:
+        """Frames written so far."""
+
+    def write(self, data: object) -> None:
+        """Add whole frames of 32-bit floats, at most `room` of them."""
+
+    def finish(self) -> None:
+        """Say that no more will come."""
+
+MIX_RATE: int = 48000
+
+MIX_LATENCY: int = 127
+
+class Mixer:
+    """
+    Voices into groups into one mix of 48 kHz stereo; see core/mixer/desk.hpp.
+    """
+
+    def __init__(self, *, instructions: str = '') -> None:
+        """`instructions` forces one instruction set."""
+
+    def start(self, *, sample: Sample | None = None, stream: Stream | None = None, speed: float = 1.0, gains: Sequence[float] = [1.0, 0.0, 0.0, 1.0], group: int = 1, position: int = 0, loop: tuple[int, int] | None = None, fade: int = 0, squared: bool = True, when: int = 0) -> int:
+        """
+        Play at frame `when` of the mix; the voice as a number, or 0 when all are busy.
+        """
+
+    def gains(self, voice: int, gains: Sequence[float], frames: int, when: int = 0) -> None:
+        """
+        Left to left, left to right, right to left, right to right; a source with one channel uses the first two.
+        """
+
+    def speed(self, voice: int, speed: float, frames: int, when: int = 0) -> None:
+        """Source frames a mixed frame."""
+
+    def stop(self, voice: int, frames: int, squared: bool = True, when: int = 0) -> None:
+        """
+        Fade out and end; along a quarter sine, which keeps the power of a cross-fade, or its square.
+        """
+
+    def group_gain(self, group: int, gain: float, frames: int, when: int = 0) -> None:
+        """Group 0 is the master."""
+
+    def group_pause(self, group: int, paused: bool, when: int = 0) -> None:
+        """Voices of a paused group stand still."""
+
+    def tidy(self) -> None:
+        """Hear which voices have ended, and let go of what they played."""
+
+    def playing(self, voice: int) -> bool:
+        """False once tidy() has heard that it ended."""
+
+    @property
+    def voices_in_use(self) -> int: ...
+
+    @property
+    def clock(self) -> int:
+        """Frames mixed so far."""
+
+    def render(self, frames: int) -> bytes:
+        """
+        The next frames, left and right as 32-bit floats, MIX_LATENCY frames late.
+        """
+
+    def render_pcm(self, frames: int) -> bytes:
+        """The next frames as 16-bit whole numbers, little end first."""
+
+    @property
+    def address(self) -> int:
+        """What to hand to the callback; valid as long as this object lives."""
+
+    callback: Final[int] = ...
+    """
+    Address of void (*)(void *mixer, uint8_t *stream, int bytes), for a sound card to call.
+    """
+
+    def watch(self, clock: int) -> None:
+        """
+        Measure the callback by the uint64_t (*)(void) at this address; 0 stops it.
+        """
+
+    @property
+    def punctuality(self) -> tuple[int, int, int]:
+        """
+        Blocks mixed, longest time from one call to the next, longest time of a call: in ticks of that clock.
         """

@@ -11,6 +11,8 @@ from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any, cast
 
 from evilengine.assets import Images, Pictures
+from evilengine.audio import Audio, Listener
+from evilengine.game.output import SHIPPED, for_device, open_output
 from evilengine.game.stage import STAGE, keep_pace, open_device, script_folder
 from evilengine.interaction import Grabs, Interaction, axis
 from evilengine.platform import Device, HeadlessDevice
@@ -43,7 +45,8 @@ class Game:
 
     `size` is in logical points; 50 of them show a metre unless `view_height` says how many metres the screen is high.
     `headless=True` needs no screen: tests drive `game.device`, and `game.capture()` gives the picture. `renderer` is
-    "auto" or "soft". With `tilt=True` gravity follows how the device is held, or the arrow keys, wheel or stick that
+    "auto" or "soft"; `sound` is "auto" (the sound card, and none where there is no window), "none", or the name of a
+    .wav file to write. With `tilt=True` gravity follows how the device is held, or the arrow keys, wheel or stick that
     stand in for it. `seed` starts `game.random`. Files are found beside the script that runs, or in `folder`.
 
     Its callbacks are decorators. Each step: `on_key_press(key)`, `on_key_release(key)`, `on_pointer(pointer)`,
@@ -70,6 +73,7 @@ class Game:
         size: tuple[int, int] = (960, 540),
         headless: bool = False,
         renderer: str = "auto",
+        sound: str | Path = "auto",
         tilt: bool = False,
         gravity: Point = (0.0, -9.81),
         view_height: float | None = None,
@@ -88,11 +92,14 @@ class Game:
         self.renderer = open_renderer(renderer)
         self.folder = script_folder() if folder is None else Path(folder)
         self.camera = Camera(view_height=view_height)
+        output = open_output(sound)
         self.device = device or open_device(title, size, headless)  # last: nothing after it can leave a window behind
         self.camera.size = self.device.size
         self._pictures = Pictures(self.renderer, Images(self.folder, Path.cwd()), scale=self.device.scale)
         self.scene = Scene(self.world, textures=self._pictures.texture, fonts=self._pictures.font)
         self.timer = Schedule(lambda: self.world.steps)
+        output = for_device(output, self.device)
+        self.audio = Audio(self.folder, Path.cwd(), SHIPPED, output=output, clock=lambda: self.world.steps)
         self.random = random.Random(seed)
         self.tilt = tilt
         self.paused = False
@@ -134,6 +141,7 @@ class Game:
         self._alpha = tick.alpha
         self._draw()
         self.device.show(self.renderer.pixels, self.device.pixel_size)
+        self._hear(paused=self.paused)
 
     @known_keywords
     def step(self, n: int = 1) -> None:
@@ -170,6 +178,7 @@ class Game:
             self.world.step(STEP)
         finally:
             self._busy = ""
+        self._hear()
 
     def _draw(self) -> None:
         self._busy = "drawing"
@@ -178,6 +187,9 @@ class Game:
             self.renderer.draw(self.scene.collect(self.camera, self._alpha, self.device.pixel_size, self.device.scale))
         finally:
             self._busy = ""
+
+    def _hear(self, *, paused: bool = False) -> None:
+        self.audio.update(Listener(self.camera.position, self.camera.angle), paused=paused)
 
     def _tell_inputs(self, inputs: Inputs) -> None:
         for key in inputs.pressed:
@@ -376,6 +388,7 @@ class Game:
     def close(self) -> None:
         """Close the window. A game that has ended can still be asked, not shown."""
         self.running = False
+        self.audio.close()
         self.device.close()
 
     def capture(self) -> Image:

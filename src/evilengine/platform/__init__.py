@@ -6,9 +6,10 @@ from evilengine.platform.desktop import DesktopDevice
 from evilengine.platform.device import Device
 from evilengine.platform.headless import HeadlessDevice
 from evilengine.platform.sdl import Screen, screen_available
+from evilengine.platform.speaker import Speaker
 from evilengine.values.checks import known_keywords
 
-__all__ = ["DesktopDevice", "Device", "HeadlessDevice", "Screen", "open_device", "screen_available"]
+__all__ = ["DesktopDevice", "Device", "HeadlessDevice", "Screen", "Speaker", "open_device", "screen_available"]
 
 
 @known_keywords
