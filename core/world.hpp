@@ -72,6 +72,8 @@ void destroy_force(World& world, std::uint32_t force);
 
 // Changing by hand.
 void wake(World& world, std::uint32_t body);
+void wake_all(World& world);
+void allow_sleep(World& world, bool allowed);
 void wake_touching(World& world, std::uint32_t body); // and what rests on it
 void move_body(World& world, std::uint32_t body, Vec2 position, double angle);
 void set_kind(World& world, std::uint32_t body, BodyKind kind);

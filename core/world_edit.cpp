@@ -185,6 +185,7 @@ ForceRef add_force(World& world, Force force, Area area) {
     force.made = fingerprint(force, area);
     forces.rows[slot] = std::move(force);
     forces.areas[slot] = std::move(area);
+    if (forces.rows[slot].everywhere) wake_all(world);
     return {slot, forces.slots.generation(slot)};
 }
 
@@ -203,9 +204,7 @@ void destroy_force(World& world, std::uint32_t force) {
     const Force& f = world.forces.rows[force];
     for (std::uint32_t body : f.bodies) wake(world, body);
     if (f.target != kNone) wake(world, f.target);
-    if (f.everywhere)
-        for (std::uint32_t b = 0; b < world.bodies.slots.size(); ++b)
-            if (world.bodies.slots.taken(b)) wake(world, b);
+    if (f.everywhere) wake_all(world);
     world.forces.rows[force] = {};
     world.forces.areas[force] = {};
     world.forces.slots.release(force);
@@ -215,6 +214,16 @@ void wake(World& world, std::uint32_t body) {
     Body& b = world.bodies.rows[body];
     if (b.kind == BodyKind::dynamic) b.awake = true;
     b.still_time = 0.0f;
+}
+
+void wake_all(World& world) {
+    for (std::uint32_t b = 0; b < world.bodies.slots.size(); ++b)
+        if (world.bodies.slots.taken(b)) wake(world, b);
+}
+
+void allow_sleep(World& world, bool allowed) {
+    world.sleep_allowed = allowed;
+    if (!allowed) wake_all(world);
 }
 
 void wake_touching(World& world, std::uint32_t body) {
@@ -251,8 +260,7 @@ void set_kind(World& world, std::uint32_t body, BodyKind kind) {
 void set_gravity(World& world, Vec2 gravity) {
     if (gravity == world.gravity) return;
     world.gravity = gravity;
-    for (std::uint32_t b = 0; b < world.bodies.slots.size(); ++b)
-        if (world.bodies.slots.taken(b)) wake(world, b);
+    wake_all(world);
 }
 
 MassProblem set_mass(World& world, std::uint32_t body, float mass) {

@@ -270,3 +270,43 @@ def test_bad_forces_are_refused_clearly(space, wrong, words):
     body = space.add(evil.Circle(1))
     with pytest.raises(evil.Error, match=words):
         wrong(space, body)
+
+
+def resting_box():
+    """A world whose box has fallen asleep on the ground."""
+    world = evil.World()
+    world.add(evil.Rectangle(40, 1), at=(0, -0.5), kind="static", tag="ground")
+    box = world.add(evil.Rectangle(1, 1), at=(0, 0.5))
+    for _ in range(200):
+        world.step()
+    assert not box.awake
+    return world, box
+
+
+def test_a_force_on_everything_wakes_what_sleeps():
+    world, box = resting_box()
+    wind = world.add_force(evil.ConstantForce((50, 0)))
+    for _ in range(30):
+        world.step()
+    assert box.position.x > 1
+    wind.destroy()
+
+
+def test_a_world_that_may_not_sleep_wakes_up():
+    world, box = resting_box()
+    world.sleep = False
+    world.step()
+    assert box.awake
+
+
+def test_a_push_on_what_cannot_move_is_not_kept_for_later():
+    world, _ = resting_box()
+    ground = world.find("ground")
+    ground.apply_force((0, 1e6))
+    ground.apply_torque(1e6)
+    world.step()
+    assert ground.force == (0, 0)
+    assert ground.torque == 0
+    ground.gravity_scale, ground.kind = 0, "dynamic"
+    world.step()
+    assert abs(ground.velocity.y) < 1

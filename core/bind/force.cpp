@@ -7,9 +7,7 @@ void wake_all_of(const ForceHandle& h) {
     const Force& f = row(h);
     for (std::uint32_t body : f.bodies) wake(*h.world, body);
     if (f.target != kNone) wake(*h.world, f.target);
-    if (!f.everywhere) return;
-    for (std::uint32_t b = 0; b < h.world->bodies.slots.size(); ++b)
-        if (h.world->bodies.slots.taken(b)) wake(*h.world, b);
+    if (f.everywhere) wake_all(*h.world);
 }
 
 template <float Force::* Field> void bind_float(nb::class_<ForceHandle>& c, const char* name) {

@@ -264,7 +264,7 @@ void register_world(nb::module_& module) {
     c.def_prop_rw(
         "gravity", [](const World& w) { return from_vec2(w.gravity); },
         [](World& w, nb::handle value) { set_gravity(w, to_vec2(value, "World", "gravity")); });
-    c.def_rw("sleep", &World::sleep_allowed);
+    c.def_prop_rw("sleep", [](const World& w) { return w.sleep_allowed; }, allow_sleep);
     c.def_prop_rw(
         "instruction_set", [](const World& w) { return name(w.instruction_set); },
         [](World& w, const std::string& wanted) {

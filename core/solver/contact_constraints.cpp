@@ -72,7 +72,7 @@ void find_edges(Solver& solver, const Bodies& bodies, const Contacts& contacts, 
         bool wall = !(a_moves && b_moves);
         solver.edges.push_back({wall && b_moves ? b : a, b, wall});
         Vec2 gained = acceleration_of(bodies, c.body_b) - acceleration_of(bodies, c.body_a);
-        solver.bounces.push_back({row, {}, c.restitution, {}, std::max(0.0f, -dt * dot(gained, c.normal))});
+        solver.bounces.push_back({row, {}, c.restitution, {}, {}, std::max(0.0f, -dt * dot(gained, c.normal))});
     }
 }
 
@@ -90,7 +90,17 @@ void fill_lane(Solver& solver, Bounce& bounce, const Contact& c) {
     for (std::uint8_t p = 0; p < c.count; ++p) {
         fill_point(block.points[p], i, c.points[p], frame, a, b);
         bounce.closing_speed[p] = -normal_speed(v, block.points[p], i);
+        bounce.gap[p] = c.points[p].separation;
     }
+}
+
+// What is left of an impact. On the way to it, within the step, the bodies still gain speed. And as velocities change
+// before positions do, a fall by substeps of h arrives slower by half a substep's gain than it should, and a rise that
+// starts at v gets as high as v less that half: with both, a ball that loses nothing keeps its height for ever.
+float bounce_speed(const Bounce& bounce, float closing, float gap, StepSize step) {
+    float gain = bounce.gained_speed / step.dt, late = 0.5f * gain * step.h();
+    float before = closing > 0.0f ? clamped(std::max(gap, 0.0f) / closing, step.dt) : 0.0f;
+    return bounce.restitution * (closing + gain * before + late) + late;
 }
 
 } // namespace
@@ -108,9 +118,9 @@ void fill_blocks(Solver& solver, const Bodies& bodies, const Contacts& contacts,
     }
 }
 
-// (4.8) with the speed before the step: the solver has brought the closing speed to 0, this adds e times it outwards. The
-// next step's contacts do not start from a bounce, so it is added to the total alone.
-void apply_restitution(Solver& solver) {
+// (4.8): the solver has brought the closing speed to 0, this adds e times that of the impact outwards. The next step's
+// contacts do not start from a bounce, so it is added to the total alone.
+void apply_restitution(Solver& solver, StepSize step) {
     for (const Bounce& bounce : solver.bounces) {
         if (bounce.restitution == 0.0f) continue;
         ContactBlock& block = solver.blocks[bounce.place.block];
@@ -123,7 +133,8 @@ void apply_restitution(Solver& solver) {
             float closing = bounce.closing_speed[p];
             if (q.total_impulse[i] == 0.0f || closing - bounce.gained_speed <= kRestitutionSpeed) continue;
             float speed = normal_speed(speeds(a, b, frame), q, i);
-            float impulse = std::max(-q.normal_mass[i] * (speed - bounce.restitution * closing), -q.normal_impulse[i]);
+            float outward = bounce_speed(bounce, closing, bounce.gap[p], step);
+            float impulse = std::max(-q.normal_mass[i] * (speed - outward), -q.normal_impulse[i]);
             q.total_impulse[i] += impulse;
             a.vx -= a.inv_mass * impulse * normal.x; // (4.9), (4.10)
             a.vy -= a.inv_mass * impulse * normal.y;

@@ -5,7 +5,7 @@
 namespace evil {
 
 void fill_blocks(Solver& solver, const Bodies& bodies, const Contacts& contacts, StepSize step);
-void apply_restitution(Solver& solver);
+void apply_restitution(Solver& solver, StepSize step);
 void store_impulses(const Solver& solver, Contacts& contacts);
 
 } // namespace evil

@@ -77,9 +77,8 @@ void integrate_positions(Solver& solver, float h) {
     }
 }
 
-void clear_gathered_forces(const Solver& solver, Bodies& bodies) {
-    for (std::size_t i = 1; i < solver.bodies.size(); ++i) {
-        Body& b = bodies.rows[solver.body_slots[i]];
+void clear_gathered_forces(Bodies& bodies) { // also of what does not move: it may become dynamic
+    for (Body& b : bodies.rows) {
         b.force = {};
         b.torque = 0.0f;
     }
@@ -112,10 +111,10 @@ void solve(Solver& solver, Bodies& bodies, Contacts& contacts, const Forces& for
         integrate_positions(solver, h);
         EVIL_PICK(step.set, relax)(rows, blocks, count, 1.0f / h);
     }
-    apply_restitution(solver);
+    apply_restitution(solver, step);
     store_impulses(solver, contacts);
     write_back(solver, bodies);
-    clear_gathered_forces(solver, bodies);
+    clear_gathered_forces(bodies);
     note_paths(solver);
 }
 

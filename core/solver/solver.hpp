@@ -22,6 +22,7 @@ struct Bounce {            // what a contact's restitution needs to know of the 
     Place place;           // of its lane
     float restitution;
     float closing_speed[2];
+    float gap[2];
     float gained_speed; // closing speed that the last step's acceleration alone has given (SPEC C7)
 };
 
