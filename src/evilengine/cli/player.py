@@ -77,6 +77,8 @@ class Player:
                 except StartAgain:
                     pass
         finally:
+            if self.game is not None:
+                self.game.audio.close()
             if self.device is not None:
                 self.device.close()
 
@@ -112,7 +114,9 @@ class Player:
             keep_pace(self.game.device, now)
 
     def _take(self, game: Game) -> None:
-        """Put `game` into the window, with the keys of this player."""
+        """Put `game` into the window, with the keys of this player; the one before it is heard no more."""
+        if self.game is not None:
+            self.game.audio.close()
         self.game = game
         game.debug = game.debug or self.debug_view
         game.on_event(self._key)

@@ -184,13 +184,15 @@ class Level:
             case commands.SetTilt(on=on):
                 game.tilt = on
             case commands.SetBackground(what=what):
-                game.add_background(self._image(what) if PurePath(what).suffix else what)
+                game.add_background(self._beside(what) if PurePath(what).suffix else what)
             case commands.SetSeed(seed=seed):
                 game.random.seed(seed)
             case commands.AddDrawing():
                 self._add_drawing(command, scope, game)
             case commands.AddText():
                 self._add_text(command, scope, game)
+            case commands.PlaySound() | commands.PlayMusic():
+                self._sound(command, scope, game)
             case commands.After(seconds=seconds, block=block):
                 event = game.timer.after(self._number(seconds, scope), lambda: self._later(block, scope))
                 self._others.append(event)
@@ -296,15 +298,26 @@ class Level:
         if values.pop("hidden", False):
             values["visible"] = False
         if "texture" in values:
-            values["texture"] = self._image(values["texture"])
+            values["texture"] = self._beside(values["texture"])
         return values
 
-    def _image(self, name: str) -> str:
-        """An image that lies beside the level, by the name that the game finds it by in its own folder."""
+    def _beside(self, name: str) -> str:
+        """A file that lies beside the level, by the name that the game finds it by in its own folder."""
         if self.game is None or not self.script.folder:
             return name
         beside, folder = Path(self.script.folder, name).resolve(), self.game.folder.resolve()
         return (beside.relative_to(folder) if beside.is_relative_to(folder) else beside).as_posix()
+
+    def _sound(self, command: commands.PlaySound | commands.PlayMusic, scope: Scope, game: Game) -> None:
+        options = {each.name: self._value(each.value, scope) for each in command.options}
+        if options.get("at", True) is None:
+            return  # what it would be heard from is gone
+        if isinstance(command, commands.PlaySound):
+            sound = game.audio.play(self._beside(command.file), **options)
+            self._on_failure(lambda: sound.alive and sound.stop())
+        else:
+            game.audio.music(self._beside(command.file) if command.file else None, **options)
+            self._on_failure(lambda: game.audio.music(None))
 
     def _add_text(self, command: commands.AddText, scope: Scope, game: Game) -> None:
         words = self._words(command.pieces, scope)
@@ -335,7 +348,7 @@ class Level:
             self._tags.change(thing, value)
             return
         if command.property == "texture":
-            value = self._image(value)
+            value = self._beside(value)
         attribute, value = ("visible", not value) if command.property == "hidden" else (command.property, value)
         for each in getattr(thing, "drawings", ()) if command.of_drawings else (thing,):
             setattr(each, attribute, value)

@@ -16,6 +16,7 @@ from evilengine.script.syntax import (
     New,
     Order,
     Rounds,
+    Sounding,
     Spot,
     StatementNode,
     Text,
@@ -68,6 +69,8 @@ class Builder(ThingBuilder):
                 return self._order(statement)
             case TextLine():
                 return self._text(statement)
+            case Sounding():
+                return self._sounding(statement)
             case Change():
                 return self._change(statement)
             case Event():
@@ -144,6 +147,18 @@ class Builder(ThingBuilder):
             value = self.number(rest[0], name.name)
         self.declare(Made(name.name, NUMBER, name.place))
         return [values.Let(statement.place, name.name, value)]
+
+    # play, music
+
+    def _sounding(self, statement: Sounding) -> list[Command]:
+        place = statement.place
+        settings = self.by_word(statement.settings, "sound" if statement.word == "play" else "music")
+        options = tuple(Option(entry.option, self.value(setting, entry)) for setting, entry in settings.values())
+        file = self.sound(statement.file) if statement.file is not None else ""
+        if statement.broken:
+            return []
+        return [values.PlaySound(place, file, options) if statement.word == "play"
+                else values.PlayMusic(place, file, options)]  # fmt: skip
 
     # text, set
 

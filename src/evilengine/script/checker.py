@@ -256,24 +256,28 @@ class Checker:
         return text.value
 
     def picture(self, text: Text) -> str:
+        return self._file(text, "pictures", (".png", ".jpg", ".jpeg", ".webp", ".gif", ".bmp"), "crate.png")
+
+    def sound(self, text: Text) -> str:
+        return self._file(text, "sounds", (".wav", ".ogg", ".mp3", ".flac"), "thud.ogg")
+
+    def _file(self, text: Text, kind: str, endings: tuple[str, ...], example: str) -> str:
         """The name of a file that lies in the level's folder."""
         name = text.value
         path = PurePosixPath(name)
         odd = not name or "\\" in name or ":" in name or "\0" in name or path.is_absolute() or ".." in path.parts
         if odd:
             self.error("bad-file", f"'{cut(name)}' is not a file in the level's folder", text.place,
-                       "write its name alone, as in \"crate.png\"")  # fmt: skip
+                       f'write its name alone, as in "{example}"')  # fmt: skip
             return name
         if self.folder and not self._is_inside(name):
-            files = self._pictures()
+            files = self._files(endings)
             suggestion = near(name, files)
             if suggestion:
                 hint = f"did you mean '{cut(suggestion)}'?"
             else:
                 hint = (
-                    f"there are {', '.join(cut(each) for each in files[:6])}"
-                    if files
-                    else "there are no pictures there"
+                    f"there are {', '.join(cut(each) for each in files[:6])}" if files else f"there are no {kind} there"
                 )
             self.error("missing-file", f"there is no file '{cut(name)}' in the level's folder", text.place, hint)
         return name
@@ -286,8 +290,7 @@ class Checker:
         except (OSError, ValueError):
             return False
 
-    def _pictures(self) -> list[str]:
-        endings = (".png", ".jpg", ".jpeg", ".webp", ".gif", ".bmp")
+    def _files(self, endings: tuple[str, ...]) -> list[str]:
         try:
             return sorted(each for each in os.listdir(self.folder) if each.lower().endswith(endings))
         except OSError:

@@ -180,6 +180,8 @@ class Parser(Things):
                 return self.thing(place, before, drawn=word == "draw")
             case "text":
                 return self.text(place, before)
+            case "play" | "music":
+                return self.sounding(word, place, before)
             case "set":
                 return self.changed(place, before)
             case "on":

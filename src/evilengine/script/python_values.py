@@ -4,7 +4,20 @@ from __future__ import annotations
 
 import math
 
-from evilengine.values.level import Area, Called, Corners, Formula, Make, Name, Number, Option, Pair, Value
+from evilengine.values.level import (
+    Area,
+    Called,
+    Corners,
+    Formula,
+    Make,
+    Name,
+    Number,
+    Option,
+    Pair,
+    PlayMusic,
+    PlaySound,
+    Value,
+)
 
 _OPERATORS = {
     "less": ("<", 1), "more": (">", 1), "at_most": ("<=", 1), "at_least": (">=", 1), "equal": ("==", 1),
@@ -87,6 +100,11 @@ class PythonValues:
         if option.name in ("angle", "angular_velocity"):
             return f"{option.name}={self.angle(option.value)}"
         return f"{option.name}={self.value(option.value)}"
+
+    def sound(self, command: PlaySound | PlayMusic) -> str:
+        what = "play" if isinstance(command, PlaySound) else "music"
+        file = quoted(command.file) if command.file else "None"
+        return f"game.audio.{what}({', '.join([file, *map(self.option, command.options)])})"
 
     def angle(self, value: Value) -> str:
         """Radians, as the degrees that were written if that is exact."""

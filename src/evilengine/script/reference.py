@@ -81,6 +81,7 @@ def reference() -> str:
     parts.append("### Of forces, drag and media\n\n" + _table(_merged("force", "drag", "medium")))
     parts.append("### Of drawings\n\n" + _table(properties_of("drawing")))
     parts.append("### Of texts\n\n" + _table(properties_of("text")))
+    parts.append("### Of sounds and music\n\n" + _table(_merged("sound", "music")))
     parts.append(
         "## Arithmetic\n\n`+ - * / %` and parentheses; for conditions `< > <= >= == !=`, `and`, `or`, `not`.\n"
     )

@@ -168,7 +168,7 @@ class Settings(Expressions):
             case "colour":
                 return (self.colour(word),)
             case "picture":
-                return (self._picture(word),)
+                return (self.file(word, "a picture", "crate.png"),)
             case "tag":
                 return (self._tag(word),)
             case "name":
@@ -222,7 +222,8 @@ class Settings(Expressions):
             self.advance()
         raise Skip
 
-    def _picture(self, word: str) -> Text:
+    def file(self, word: str, what: str, example: str) -> Text:
+        """The name of a file, in quotes."""
         token = self.token
         if token.kind == "string":
             self.advance()
@@ -231,7 +232,7 @@ class Settings(Expressions):
             self.advance()
             self.error("unquoted-file", "a file name stands in quotes", token, f'write "{cut(token.text)}"')
             raise Skip
-        self.error("missing-file", f'{word} needs a picture, as in: {word} "crate.png"', self.after_last())
+        self.error("missing-file", f'{word} needs {what}, as in: {word} "{example}"', self.after_last())
         raise Skip
 
     def _tag(self, word: str) -> Text:

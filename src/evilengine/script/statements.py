@@ -71,6 +71,20 @@ STATEMENTS: Mapping[str, Statement] = {
             meant=("print", "write", "label", "say", "show"),
         ),
         Statement(
+            word="play",
+            form='play "FILE" [PROPERTIES];',
+            doc="Plays a sound once: a wav, ogg, mp3 or flac file in the level's folder.",
+            example='new circle ball 0.5 at 0 3 physicsOn;\non collide ball { play "thud.ogg" at ball; }',
+            meant=("sound", "audio", "sfx", "noise"),
+        ),
+        Statement(
+            word="music",
+            form='music "FILE" [PROPERTIES];  music off;',
+            doc="Plays music over and over; it fades into what follows. `music off` lets it fade away.",
+            example='music "wind.ogg" volume 0.5;',
+            meant=("song", "soundtrack"),
+        ),
+        Statement(
             word="let",
             form="let NAME NUMBER;",
             doc="Makes a number that has a name, such as a score. `set` changes it.",

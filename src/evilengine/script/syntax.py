@@ -112,6 +112,17 @@ class TextLine:
 
 
 @dataclass(frozen=True, slots=True)
+class Sounding:
+    """`play` or `music` with a file; `music off` has none."""
+
+    word: str
+    file: Text | None
+    settings: tuple[Setting, ...]
+    place: Place
+    broken: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Change:
     """`set NAME PROPERTY VALUE` or, with the setting None, `set NAME NUMBER`."""
 
@@ -161,7 +172,7 @@ class Unknown:
     place: Place
 
 
-StatementNode: TypeAlias = New | Order | TextLine | Change | Event | Rounds | Choice | Unknown
+StatementNode: TypeAlias = New | Order | TextLine | Sounding | Change | Event | Rounds | Choice | Unknown
 Block: TypeAlias = tuple[StatementNode, ...]
 
 

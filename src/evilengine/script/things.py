@@ -5,7 +5,7 @@ from __future__ import annotations
 from evilengine.script.expressions import Skip, cut, shown
 from evilengine.script.lexer import Source, Token
 from evilengine.script.settings import Settings
-from evilengine.script.syntax import Block, Change, Expression, Identifier, New, Spot, Text, TextLine
+from evilengine.script.syntax import Block, Change, Expression, Identifier, New, Sounding, Spot, Text, TextLine
 from evilengine.script.word import Kind
 from evilengine.script.words import DRAWN, KINDS, PROPERTY_WORDS, RESERVED, family_of, near_kind
 from evilengine.values.level import Place
@@ -68,6 +68,22 @@ class Things(Settings):
         broken = self.broken(before)
         self.finish()
         return TextLine(name, Text(words.text, words.place), settings, place, broken)
+
+    # play "FILE" PROPERTIES, music "FILE" PROPERTIES, music off
+
+    def sounding(self, word: str, place: Place, before: int) -> Sounding:
+        file = None
+        try:
+            if word == "music" and self.at_word("off"):
+                self.advance()
+            else:
+                file = self.file(word, "a sound", "thud.ogg" if word == "play" else "wind.ogg")
+        except Skip:
+            pass  # its properties may hold errors of their own
+        settings = self.settings("sound" if word == "play" else "music")
+        broken = self.broken(before)
+        self.finish()
+        return Sounding(word, file, settings, place, broken)
 
     # new KIND [NAME] SIZES PROPERTIES
 

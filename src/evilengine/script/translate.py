@@ -211,6 +211,9 @@ class Translator(PythonValues):
                 name = self.called(target.name)
                 with self._if_alive(name):
                     self._line(f"{name}.apply_impulse({self.value(impulse)})")
+            case commands.PlaySound() | commands.PlayMusic():
+                with self._if_alive(*(self.called(each.name) for each in used((command,)))):
+                    self._line(self.sound(command))
             case _:
                 self._structure(command)
 

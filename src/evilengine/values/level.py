@@ -257,6 +257,24 @@ class AddText:
 
 
 @dataclass(frozen=True, slots=True)
+class PlaySound:
+    """Plays a sound file; nothing, when what it is heard from is gone."""
+
+    place: Place
+    file: str
+    options: tuple[Option, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class PlayMusic:
+    """Plays music, or none ("")."""
+
+    place: Place
+    file: str
+    options: tuple[Option, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Let:
     """Makes a number that the level can change."""
 
@@ -375,6 +393,8 @@ Command: TypeAlias = (
     | AddDrawing
     | AddForce
     | AddText
+    | PlaySound
+    | PlayMusic
     | Let
     | SetNumber
     | SetProperty
