@@ -1,6 +1,7 @@
 """Force generators (SPEC P2): against formulas, shared, changed, written in Python, saved."""
 
 import math
+import sys
 
 import pytest
 
@@ -216,6 +217,20 @@ def test_a_force_in_python_is_saved_with_its_state_and_goes_on_exactly(space):
     for _ in range(10):
         space.step()
     assert space.snapshot() == twin.snapshot()
+
+
+def test_a_snapshot_does_not_make_the_program_import_what_it_has_not_imported(space):
+    ball = space.add(evil.Particle(1))
+    swirl = ball.add_force(Swirl(3))
+    data = space.snapshot()
+    swirl.destroy()
+    module = sys.modules.pop(__name__)
+    try:
+        with pytest.raises(evil.SnapshotError, match="import that module first"):
+            evil.World.of(data)
+        assert __name__ not in sys.modules
+    finally:
+        sys.modules[__name__] = module
 
 
 def test_a_force_with_what_cannot_be_saved_says_so(space):

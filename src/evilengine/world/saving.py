@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import functools
-import importlib
 import json
-from typing import TYPE_CHECKING
+import sys
+from typing import TYPE_CHECKING, Any
 
 from evilengine import _core
 from evilengine.values.errors import SnapshotError
@@ -44,7 +44,7 @@ def forces_now(world: World) -> dict[int, Force]:
 
 def python_force(world: World, handle: _core.Force, kept: Force | None) -> Force:
     """The object of a Python force after a restore, with the attributes that were saved."""
-    module, name, state = json.loads(handle.note)
+    module, name, state = parts_of(handle.note)
     force = kept
     if force is None:
         kind = next((type(f) for f in world._forces.values() if names_of(type(f)) == (module, name)), None)
@@ -56,17 +56,31 @@ def python_force(world: World, handle: _core.Force, kept: Force | None) -> Force
 
 
 def python_kind(module: str, name: str) -> type[Force]:
-    """The class of a Python force, found by name, or SnapshotError."""
+    """The class of a Python force, found by name, or SnapshotError.
+
+    Only among modules that the program has imported itself: bytes from a stranger must not make it import others.
+    """
     try:
-        kind = functools.reduce(getattr, name.split("."), importlib.import_module(module))
-    except (ImportError, AttributeError, ValueError):
+        kind = functools.reduce(getattr, name.split("."), sys.modules[module])
+    except (KeyError, AttributeError):
         kind = None
     if not (isinstance(kind, type) and issubclass(kind, Force)):
         raise SnapshotError(
-            f"World.restore: the force {module}.{name} of this snapshot cannot be found; define it at the top of an"
-            " importable module"
+            f"World.restore: the force {module}.{name} of this snapshot cannot be found; define it at the top of a module"
+            " and import that module first"
         )
     return kind
+
+
+def parts_of(note: str) -> tuple[str, str, dict[str, Any]]:
+    """Module, class and attributes out of a force's note."""
+    try:
+        module, name, state = json.loads(note)
+    except ValueError:
+        module = name = state = None
+    if not (isinstance(module, str) and isinstance(name, str) and isinstance(state, dict)):
+        raise SnapshotError("World.restore: this snapshot holds a force that makes no sense; the world is as it was")
+    return module, name, state
 
 
 def names_of(kind: type[Force]) -> tuple[str, str]:
@@ -78,6 +92,6 @@ def check_notes(world: World, notes: list[str]) -> None:
     """Refuse a snapshot whose Python forces could not come back, before anything has changed."""
     here = {names_of(type(force)) for force in world.forces}
     for note in notes:
-        module, name, _ = json.loads(note)
+        module, name, _ = parts_of(note)
         if (module, name) not in here:
             python_kind(module, name)
