@@ -178,6 +178,17 @@ def test_an_example_can_be_copied_but_never_over_a_file(here, capsys):
     assert (here / "other" / "folder" / "prototype1.evil").exists()
 
 
+def test_an_example_is_copied_with_its_pictures_and_sounds(here, capsys):
+    assert main(["examples", "--copy", "tower", "--to", "mine"]) == 0
+    assert (here / "mine" / "08_tower.py").exists()
+    assert (here / "mine" / "tower" / "crate.png").read_bytes()[1:4] == b"PNG"
+    assert main(["render", "mine/08_tower.py", "-o", "tower.png", "--at", "0.1"]) == 0
+    (here / "mine" / "08_tower.py").unlink()
+    assert main(["examples", "--copy", "tower", "--to", "mine"]) == 1
+    assert "exists already" in capsys.readouterr().err
+    assert not (here / "mine" / "08_tower.py").exists()
+
+
 def test_an_unknown_example_is_answered_with_the_nearest(here, capsys):
     assert main(["examples", "--copy", "prototipe1"]) == 1
     assert "did you mean 'prototype1'?" in capsys.readouterr().err

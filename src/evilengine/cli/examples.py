@@ -32,14 +32,19 @@ def run(args: argparse.Namespace) -> int:
 
 
 def copy(name: str, folder: Path) -> Path:
-    """Copy an example into `folder` and return its new path. Raises SaveError rather than write over a file."""
+    """Copy an example into `folder`, with the folder of its pictures and sounds, and return its new path.
+
+    Raises SaveError rather than write over a file.
+    """
     origin = sources.example(name).path
-    target = folder / origin.name
-    if target.exists():
-        raise SaveError(f"{target} exists already; copy to another folder with --to, or move it away")
+    pairs = [(each, folder / each.name) for each in (origin, sources.things_of(origin)) if each.exists()]
+    for _, target in pairs:
+        if target.exists():
+            raise SaveError(f"{target} exists already; copy to another folder with --to, or move it away")
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(origin, target)
+        for source, target in pairs:
+            (shutil.copytree if source.is_dir() else shutil.copyfile)(source, target)
     except OSError as error:
-        raise SaveError(f"{target} cannot be written: {error.strerror}") from None
-    return target
+        raise SaveError(f"{folder} cannot be written: {error.strerror or error}") from None
+    return folder / origin.name

@@ -36,6 +36,11 @@ def example(name: str) -> Example:
     raise AssetError(f"there is no example {name!r}{_near(name)}; `evil examples` lists them")
 
 
+def things_of(path: Path) -> Path:
+    """The folder with the pictures and sounds of an example: called as it is, without number; many have none."""
+    return path.with_name(_without_number(path.stem))
+
+
 def source(name: str) -> Path:
     """The level or game that `name` means: a file, else an example. Raises AssetError if it is neither."""
     path = Path(name)
