@@ -66,8 +66,8 @@ def python_kind(module: str, name: str) -> type[Force]:
         kind = None
     if not (isinstance(kind, type) and issubclass(kind, Force)):
         raise SnapshotError(
-            f"World.restore: the force {module}.{name} of this snapshot cannot be found; define it in a module, at the top,"
-            " and import that module first"
+            f"World.restore: the force {module}.{name} of this snapshot cannot be found;"
+            " define it at the top of a module and import that module first"
         )
     return kind
 
