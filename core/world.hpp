@@ -62,6 +62,7 @@ template <class Reference> struct Added {
 };
 Added<BodyRef> add_body(World& world, const Body& body, const std::string& tag, std::span<const NewShape> shapes);
 void destroy_body(World& world, std::uint32_t body);
+void take_back(World& world, std::uint32_t body); // the one added last: as if it had never been tried
 Added<ShapeRef> add_shape(World& world, std::uint32_t body, const NewShape& shape);
 void destroy_shape(World& world, std::uint32_t shape);
 

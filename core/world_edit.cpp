@@ -98,7 +98,6 @@ void drop_from_forces(World& world, std::uint32_t body) {
 } // namespace
 
 Added<BodyRef> add_body(World& world, const Body& body, const std::string& tag, std::span<const NewShape> shapes) {
-    std::uint64_t body_serial = world.bodies.next_serial, shape_serial = world.shapes.next_serial;
     Bodies& bodies = world.bodies;
     std::uint32_t slot = bodies.slots.take();
     if (slot >= bodies.rows.size()) {
@@ -119,9 +118,7 @@ Added<BodyRef> add_body(World& world, const Body& body, const std::string& tag, 
     for (const NewShape& shape : shapes) {
         MassProblem problem = add_shape(world, slot, shape).problem;
         if (problem == MassProblem::none) continue;
-        destroy_body(world, slot);
-        world.bodies.next_serial = body_serial; // as if it had never been tried
-        world.shapes.next_serial = shape_serial;
+        take_back(world, slot);
         return {{}, problem};
     }
     return {{slot, bodies.slots.generation(slot)}};
@@ -140,6 +137,16 @@ void destroy_body(World& world, std::uint32_t slot) {
     world.bodies.rows[slot] = {};
     world.bodies.tags[slot].clear();
     publish(world, slot);
+}
+
+void take_back(World& world, std::uint32_t slot) {
+    const Body& b = world.bodies.rows[slot];
+    std::uint64_t body_serial = b.serial;
+    std::uint64_t shape_serial =
+        b.first_shape == kNone ? world.shapes.next_serial : world.shapes.rows[b.first_shape].serial;
+    destroy_body(world, slot);
+    world.bodies.next_serial = body_serial;
+    world.shapes.next_serial = shape_serial;
 }
 
 Added<ShapeRef> add_shape(World& world, std::uint32_t body, const NewShape& shape) {

@@ -189,6 +189,20 @@ def test_a_force_that_does_nothing_is_refused_when_it_is_added() -> None:
     world.step()
 
 
+@pytest.mark.parametrize(
+    "wrong", [{"colour": "bleu"}, {"texture": "no.png"}, {"layer": "up"}, {"colours": ["red"]}], ids=repr
+)
+def test_looks_that_cannot_be_leave_the_world_as_it_was(wrong: dict[str, Any]) -> None:
+    game = evil.Game(headless=True)
+    game.add(evil.Circle(1))
+    before = game.world.snapshot()
+    with pytest.raises(evil.Error):
+        game.add(evil.Rectangle(1, 1), **wrong)
+    assert game.world.snapshot() == before
+    assert len(game.scene) == 1
+    assert game.add(evil.Rectangle(1, 1)).drawings[0].alive
+
+
 # -- unknown keywords ------------------------------------------------------------------------------------------------
 
 

@@ -264,6 +264,10 @@ void bind_state(nb::class_<BodyHandle>& c) {
         require_alive(h);
         destroy_body(*h.world, h.ref.slot);
     });
+    c.def("_take_back", [](const BodyHandle& h) {
+        require_alive(h);
+        take_back(*h.world, h.ref.slot);
+    });
 }
 
 } // namespace

@@ -444,6 +444,8 @@ class Body:
 
     def _destroy(self) -> None: ...
 
+    def _take_back(self) -> None: ...
+
 NO_SLOT: int = 4294967295
 
 class Force:

@@ -277,7 +277,7 @@ class Game:
         try:
             body.draw(**looks)
         except BaseException:
-            body.destroy()
+            self.world._take_back(body)
             raise
         return body
 

@@ -416,6 +416,13 @@ class World:
             raise ArgumentError(f"{owner}: {argument}={body!r} is a body of another world")
         return body
 
+    def _take_back(self, body: Body) -> None:
+        """Undo the last add: the world is as if it had never been tried."""
+        for shape in body.shapes:
+            self._shape_handles.pop(shape.slot, None)
+        self._handles.pop(body.slot, None)
+        body._take_back()
+
     def _destroy_body(self, body: Body) -> None:
         for shape in body.shapes:
             shape._bury(self.steps)
