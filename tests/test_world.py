@@ -320,29 +320,6 @@ def test_points_and_areas_find_their_bodies(world):
     assert world.overlapping(evil.Rectangle(8, 0.1)) == (box,)
 
 
-def test_a_kinematic_lift_carries_what_stands_on_it(world):
-    lift = world.add(evil.Rectangle(4, 0.5), kind="kinematic")
-    box = world.add(evil.Rectangle(1, 1), at=(0, 0.75))
-    lift.follow(lambda time: (math.sin(time), 2 * math.sin(time / 2)))
-    run(world, 3)
-    assert lift.position == pytest.approx((math.sin(3), 2 * math.sin(1.5)), abs=1e-3)
-    assert box.position == pytest.approx(lift.position + (0, 0.75), abs=0.1)
-
-
-def test_update_behaviours_run_before_each_step(world):
-    body = world.add(evil.Circle(1), kind="kinematic")
-
-    @body.on_update
-    def grow(dt):
-        body.scale = body.scale * 1.01
-        body.angle += dt
-
-    run(world, 0.5)
-    assert body.angle == pytest.approx(0.5)
-    assert body.scale.x == pytest.approx(1.01**30, rel=1e-4)
-    assert body.shapes[0].outline[2] == pytest.approx(1.01**30, rel=1e-4)
-
-
 def test_arrays_are_views_that_follow_the_world_and_outlive_growth(world):
     numpy = pytest.importorskip("numpy")
     ball = world.add(evil.Circle(1), at=(1, 2))

@@ -10,7 +10,7 @@ from evilengine.values.checks import known_keywords, number, one_of
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
 from evilengine.values.vec2 import Point, Vec2, to_vec2
 from evilengine.world import forces as force_kinds
-from evilengine.world import saving
+from evilengine.world import saving, stepping
 from evilengine.world.arguments import flag, listed, place, several, speed
 from evilengine.world.bodies import Bodies
 from evilengine.world.body import KINDS, Body, Motion, Shape, to_tag
@@ -238,52 +238,13 @@ class World:
             raise ArgumentError("World.step: called inside a callback of this world's step; the step goes on by itself")
         self._stepping = True
         try:
-            self._update(dt)
-            self._move_followers(dt)
-            self._ask_forces(dt)
+            stepping.update(self, dt)
+            stepping.move_followers(self, dt)
+            stepping.ask_forces(self, dt)
             self._core.step(dt, substeps)
-            self._tell_events()
+            stepping.tell_events(self)
         finally:
             self._stepping = False
-
-    def _update(self, dt: float) -> None:
-        self._updated = [body for body in self._updated if body.alive]
-        for body in tuple(self._updated):
-            if body.alive:
-                body._callbacks["on_update"].run(dt)
-
-    def _move_followers(self, dt: float) -> None:
-        for slot, (body, motion) in tuple(self._motions.items()):
-            if not body.alive or body.kind != "kinematic":
-                self._motions.pop(slot, None)
-                continue
-            goal: Any = motion(self.time + dt)
-            angle = body.angle
-            if isinstance(goal, (tuple, list)) and len(goal) == 2 and not isinstance(goal[0], (int, float)):
-                goal, angle = goal[0], number(goal[1], "Body.follow", "motion's angle")
-            there = to_vec2(goal, "Body.follow", "motion's point")
-            spin = (angle - body.angle) / dt
-            # the centre of mass moves, the origin shall arrive: turn the arm between them along
-            arm = body.centre - body.position
-            body.velocity = (there + arm.turned(angle - body.angle) - body.centre) / dt
-            body.angular_velocity = spin
-
-    def _ask_forces(self, dt: float) -> None:
-        for force in self.forces:
-            if force._kind == force_kinds.PYTHON and force.alive:
-                force.apply(force.bodies, dt)
-
-    def _tell_events(self) -> None:
-        for name, rows in (("on_collide", self._core.begun), ("on_separate", self._core.ended)):
-            heard = [row for row in rows if self._listens(name, row)] if name in self._heard else []
-            for contact in self.contacts._all(heard):
-                for body in (contact.a, contact.b):
-                    if body.alive and name in body._callbacks:
-                        body._callbacks[name].run(contact)
-
-    def _listens(self, name: str, row: tuple[Any, ...]) -> bool:
-        """Does a body of this contact's row want to be told?"""
-        return any(slot in self._handles and name in self._handles[slot]._callbacks for slot in (row[0], row[2]))
 
     # -- asking --
 

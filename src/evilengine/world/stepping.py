@@ -1,0 +1,66 @@
+"""What happens in Python round a step of the core: behaviours and forces before it, events after it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from evilengine.values.checks import number
+from evilengine.values.vec2 import to_vec2
+from evilengine.world.forces import PYTHON
+
+if TYPE_CHECKING:
+    from evilengine.world.body import Body
+    from evilengine.world.world import World
+
+
+def update(world: World, dt: float) -> None:
+    """Call the bodies' on_update, in the order in which they first had one."""
+    world._updated = [body for body in world._updated if body.alive]
+    for body in tuple(world._updated):
+        if body.alive:
+            body._callbacks["on_update"].run(dt)
+
+
+def move_followers(world: World, dt: float) -> None:
+    """Give each body that follows a motion the velocity that takes it there within the step (SPEC P5)."""
+    for slot, (body, motion) in tuple(world._motions.items()):
+        goal: Any = motion(world.time + dt) if follows(body) else None
+        if not follows(body):  # also where the motion itself destroyed it
+            world._motions.pop(slot, None)
+            continue
+        angle = body.angle
+        if isinstance(goal, (tuple, list)) and len(goal) == 2 and hasattr(goal[0], "__len__"):  # a point, and an angle
+            goal, angle = goal[0], number(goal[1], "Body.follow", "motion's angle")
+        there = to_vec2(goal, "Body.follow", "motion's point")
+        # the centre of mass moves, the origin shall arrive: turn the arm between them along
+        arm = body.centre - body.position
+        spin = (angle - body.angle) / dt
+        body.velocity = (there + arm.turned(angle - body.angle) - body.centre) / dt
+        body.angular_velocity = spin
+
+
+def follows(body: Body) -> bool:
+    """Can it follow a motion still?"""
+    return body.alive and body.kind == "kinematic"
+
+
+def ask_forces(world: World, dt: float) -> None:
+    """Let the forces that are written in Python push."""
+    for force in world.forces:
+        if force._kind == PYTHON and force.alive:
+            force.apply(force.bodies, dt)
+
+
+def tell_events(world: World) -> None:
+    """Tell the bodies which contacts began and ended, in the order in which they were created."""
+    for name, rows in (("on_collide", world._core.begun), ("on_separate", world._core.ended)):
+        heard = [row for row in rows if listens(world, name, row)] if name in world._heard else []
+        for contact in world.contacts._all(heard):
+            for body in (contact.a, contact.b):
+                if body.alive and name in body._callbacks:
+                    body._callbacks[name].run(contact)
+
+
+def listens(world: World, name: str, row: tuple[Any, ...]) -> bool:
+    """Does a body of this contact's row want to be told?"""
+    return any(slot in world._handles and name in world._handles[slot]._callbacks for slot in (row[0], row[2]))
