@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,11 @@ import evilengine
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGE = ROOT / "src" / "evilengine"
-PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md")])
+PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")])
+
+
+sys.path.insert(0, str(ROOT / "tools"))
+import docs_pictures  # noqa: E402
 
 
 def names(pages: list[Path]) -> list[str]:
@@ -76,7 +81,8 @@ def test_the_readme_has_the_two_commands_that_ci_runs() -> None:
 def test_links_lead_somewhere(page: Path) -> None:
     links = re.findall(r"\]\(([^)#\s]+)", page.read_text(encoding="utf-8"))
     own = [link for link in links if not link.startswith(("http://", "https://"))]
-    assert [link for link in own if not (page.parent / link).exists()] == []
+    rendered = {f"pictures/{name}" for name in docs_pictures.pictures_of(page)}  # when the site is built
+    assert [link for link in own if link not in rendered and not (page.parent / link).exists()] == []
 
 
 def test_the_film_of_the_readme_moves_and_is_small() -> None:
@@ -113,3 +119,26 @@ def test_the_architecture_page_names_every_part() -> None:
     parts = {f"src/evilengine/{file.parts[0]}" for file in files} - {"src/evilengine/__init__.py"}
     parts |= {f"core/{path.name}" for path in (ROOT / "core").iterdir() if path.is_dir()}
     assert {part for part in parts if part not in page} == set()
+
+
+def test_the_pictures_of_the_tutorial_show_what_its_steps_add(tmp_path: Path) -> None:
+    pictures = docs_pictures.pictures_of(ROOT / "docs" / "tutorial.md")
+    assert len(pictures) >= 4
+    seen = set()
+    for name, sources in pictures.items():
+        docs_pictures.render(sources, tmp_path / name)
+        seen.add((tmp_path / name).read_bytes())
+    assert len(seen) == len(pictures)
+
+
+def test_the_gallery_shows_every_example() -> None:
+    from evilengine.cli.sources import examples
+
+    page = docs_pictures.gallery()
+    assert [example.name for example in examples() if f"](pictures/{example.name}.webp)" not in page] == []
+
+
+def test_the_sites_contents_name_every_page() -> None:
+    contents = set(re.findall(r"[\w/-]+\.md", (ROOT / "mkdocs.yml").read_text()))
+    written = {page.relative_to(ROOT / "docs").as_posix() for page in PAGES if page.is_relative_to(ROOT / "docs")}
+    assert contents == written | {"gallery.md"}

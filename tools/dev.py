@@ -6,12 +6,14 @@ python tools/dev.py build      compile the core into src/evilengine and write it
 python tools/dev.py test       build, then run pytest with the arguments that follow
 python tools/dev.py format     format Python and C++
 python tools/dev.py lint       check format, style, types and stubs; changes nothing
+python tools/dev.py docs       build the documentation's site into site/, with warnings as errors
 python tools/dev.py release    source and wheel into dist/, and the wheel tried where there is no compiler
 python tools/dev.py sanitize   run the core's tests with AddressSanitizer and UndefinedBehaviorSanitizer
 """
 
 from __future__ import annotations
 
+import importlib.util
 import os
 import shutil
 import subprocess
@@ -141,6 +143,16 @@ def sanitize(*arguments: str) -> None:
     )
 
 
+def docs() -> None:
+    """mkdocs and its parts are installed when they are first needed: who does not build the site does without."""
+    extra = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["optional-dependencies"]["docs"]
+    if importlib.util.find_spec("mkdocs") is None:
+        run(sys.executable, "-m", "pip", "install", "-q", *extra)
+    run(sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet", NO_MKDOCS_2_WARNING="1")
+    pages = list((ROOT / "site").rglob("*.html"))
+    print(f"site/: {len(pages)} pages, {sum(f.stat().st_size for f in (ROOT / 'site').rglob('*.*')) / 1e6:.1f} MB")
+
+
 def release(built: str | None = None) -> None:
     """Source and wheel as they would be published, tried where there is no compiler. A wheel that is built already is
     tried as it is; it is as good as one built from the source if all its files are in there."""
@@ -181,6 +193,7 @@ CHORES = {
     "test": test,
     "format": format,
     "lint": lint,
+    "docs": docs,
     "release": release,
     "sanitize": sanitize,
 }

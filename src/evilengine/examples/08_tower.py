@@ -8,23 +8,24 @@ GOODS = {"crate": (1.5, 1.0), "trunk": (1.9, 0.9), "parcel": (1.2, 1.1)}  # metr
 SEA, LAND = -6.6, -2.9  # heights
 NIGHT, DUSK, ROSE, GOLD = "#0d0c26", "#34306a", "#d8647c", "#ffbd74"
 
-game = evil.Game("Tower", size=(480, 720))
+game = evil.Game("Tower", size=(480, 720), view_height=14.4)
 dice = game.random
 backdrop = []  # what is far away: (drawing, x, y, how much of the camera's climb it goes along with)
 
 for height, low, high in ((-5.0, GOLD, ROSE), (3.0, ROSE, DUSK), (11.0, DUSK, NIGHT), (19.0, NIGHT, NIGHT)):
-    sky = game.draw(evil.Rectangle(10, 8.1), colours=[low, low, high, high], layer=-9)
+    sky = game.draw(evil.Rectangle(50, 8.1), colours=[low, low, high, high], layer=-9)
     backdrop.append((sky, 0.0, height, 0.8))
-for _ in range(110):
+for _ in range(270):
     star = game.draw(evil.Circle(dice.choice((0.02, 0.03, 0.05))), colour=(1, 1, 0.9, dice.random()), layer=-8)
-    backdrop.append((star, dice.uniform(-5, 5), dice.triangular(3, 23, 20), 0.8))
+    backdrop.append((star, dice.uniform(-14, 14), dice.triangular(3, 23, 20), 0.8))
 backdrop.append((game.sprite("tower/moon.png", height=3.6, layer=-8), 2.4, 10.5, 0.8))
 for x, y in ((-3.2, 0.6), (3.4, 3.1), (-1.5, 7), (2, 13), (-3, 17)):
     cloud = game.sprite("tower/cloud.png", height=dice.uniform(0.9, 1.4), colour="#ffe3ea78", layer=-7)
     backdrop.append((cloud, x, y, 0.6))
 for x, y, colour, follows in ((0.4, -4.9, "#a3527a", 0.7), (-0.7, -5.9, "#623c72", 0.5)):
-    backdrop.append((game.sprite("tower/hills.png", height=2.6, colour=colour, layer=-6), x, y, follows))
-game.draw(evil.Rectangle(10, 4), at=(0, SEA - 1.4), colours=["#1d1a40"] * 2 + ["#4b3b7c"] * 2, layer=-5)
+    for side in (-11.3, 0, 11.3):
+        backdrop.append((game.sprite("tower/hills.png", height=2.6, colour=colour, layer=-6), x + side, y, follows))
+game.draw(evil.Rectangle(50, 4), at=(0, SEA - 1.4), colours=["#1d1a40"] * 2 + ["#4b3b7c"] * 2, layer=-5)
 
 island = game.add(evil.Rectangle(3.6, 0.5), at=(0, LAND - 0.25), kind="static", friction=0.9, visible=False)
 game.sprite("tower/island.png", body=island, height=2.2, at=(0, -0.61))
@@ -66,12 +67,11 @@ class Tower:
         if self.falling in (contact.a, contact.b):
             off = abs(self.falling.position.x - contact.other(self.falling).position.x)
             self.row = self.row + 1 if off < 0.15 else 0
-            self.points += 1 + self.row
+            self.points, self.shake = self.points + 1 + self.row, 0.05
             name, pitch = ("chime", 1.06 ** min(self.row, 12)) if self.row else ("thud", dice.uniform(0.9, 1.1))
             game.audio.play(f"tower/{name}.ogg", pitch=pitch)
             puff(contact.point, *((20, "gold", 4) if self.row else (6, "#e8d8c8", 2)))
             words.text = f"Perfect x {self.row}!" if self.row > 1 else "Perfect!" * self.row
-            self.shake = 0.05
             self.load()
 
     def drown(self, thing):
@@ -99,8 +99,8 @@ class Tower:
             lands_at = self.crane.x + 0.35 * math.cos(self.swing)
             if abs(lands_at - (standing[-1].x if standing else 0) - self.aim) < 0.08:
                 self.let_go()
-            if self.over_for > 2:
-                begin(False)
+        if self.over_for > 2 and not self.somebody:
+            begin(False)
 
 
 def puff(at, count, colour, fast):
