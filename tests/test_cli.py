@@ -142,7 +142,7 @@ def test_a_reader_who_stops_reading_causes_no_traceback():
     assert done.stderr == ""
 
 
-@pytest.mark.parametrize("text", ["", "960", "960x", "x540", "0x0", "-5x10", "9x9", "99999x10", "1e3x5"])
+@pytest.mark.parametrize("text", ["", "960", "960x", "x540", "0x0", "-5x10", "0x9", "99999x10", "1e3x5"])
 def test_a_size_that_is_none_is_refused(text):
     with pytest.raises(argparse.ArgumentTypeError, match="WIDTHxHEIGHT"):
         options.size(text)
@@ -285,6 +285,15 @@ def test_a_film_has_the_size_and_the_length_that_were_asked_for(level, ending, c
     shown = frames_of(f"film.{ending}")
     assert len(shown) == 5
     assert len(set(shown)) == 5
+
+
+@pytest.mark.parametrize("size", [(1, 1), (7, 3), (16, 600), (8192, 16)])
+def test_a_picture_may_have_any_size(level, size):
+    for ending in ("png", "webp"):
+        name = f"picture.{ending}"
+        assert main(["render", "ball.evil", "-o", name, "--at", "0.1", "--size", "{}x{}".format(*size)]) == 0
+        with Image.open(name) as picture:
+            assert picture.size == size
 
 
 def test_a_picture_shows_the_moment_that_was_asked_for(level):

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, TextIO
 from evilengine.assets.film import save_film
 from evilengine.cli.stage import perform
 from evilengine.platform import HeadlessDevice
+from evilengine.platform.device import MOST_POINTS
 from evilengine.values.errors import ArgumentError, Error
 from evilengine.values.tick import STEP
 
@@ -69,10 +70,13 @@ def sway(seconds: float) -> tuple[float, float]:
 
 
 class _Screen(HeadlessDevice):
-    """A device for a game of `size` points on a picture of so many pixels; where their shapes differ, it shows more."""
+    """A device for a game of `size` points on a picture of so many pixels; where their shapes differ, it shows more.
+
+    A strip so long and thin that more would be beyond what a device may show, shows less.
+    """
 
     def __init__(self, title: str, size: tuple[int, int], picture: tuple[int, int]) -> None:
-        self._pixels_a_point = min(picture[0] / size[0], picture[1] / size[1])
+        self._pixels_a_point = max(min(picture[0] / size[0], picture[1] / size[1]), max(picture) / MOST_POINTS)
         self._picture = picture
         width, height = (round(side / self._pixels_a_point) for side in picture)
         super().__init__((width, height), title=title)

@@ -22,8 +22,8 @@ def size(text: str) -> tuple[int, int]:
     """
     match = re.fullmatch(r"(\d{1,5})[x*](\d{1,5})", text.strip().lower())
     width, height = (int(part) for part in match.groups()) if match else (0, 0)
-    if not (16 <= width <= 8192 and 16 <= height <= 8192):
-        raise argparse.ArgumentTypeError(f"{text!r} must be WIDTHxHEIGHT, each 16 to 8192, such as 960x540")
+    if not (1 <= width <= 8192 and 1 <= height <= 8192):
+        raise argparse.ArgumentTypeError(f"{text!r} must be WIDTHxHEIGHT, each 1 to 8192, such as 960x540")
     return width, height
 
 
