@@ -203,6 +203,12 @@ def test_looks_that_cannot_be_leave_the_world_as_it_was(wrong: dict[str, Any]) -
     assert game.add(evil.Rectangle(1, 1)).drawings[0].alive
 
 
+@pytest.mark.parametrize("name", [3, None, b"level.evil"], ids=repr)
+def test_what_is_no_file_name_is_refused(name: Any) -> None:
+    with pytest.raises(evil.ArgumentTypeError, match="name of a file"):
+        evil.Game(headless=True).load(name)
+
+
 # -- unknown keywords ------------------------------------------------------------------------------------------------
 
 

@@ -326,6 +326,8 @@ class Game:
     @known_keywords
     def find(self, name: str | Path) -> Path:
         """The file called `name`, in the game's folder or in the current one. Raises AssetError if it is in neither."""
+        if not isinstance(name, (str, PurePath)):
+            raise ArgumentTypeError(f"Game: {name!r} must be the name of a file")
         for folder in (self.folder, Path.cwd()):
             if (folder / name).is_file():
                 return folder / name
