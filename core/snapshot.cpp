@@ -1,5 +1,6 @@
 #include "snapshot.hpp"
-#include "archive.hpp"
+#include "hash.hpp"
+#include "state_fields.hpp"
 #include <memory>
 
 namespace evil {
@@ -21,77 +22,9 @@ struct SavedState { // what is read before the world is touched
     std::vector<bool> body_taken, shape_taken, piece_taken, force_taken;
 };
 
-// ---- fields, in one place for both directions (not in the unnamed namespace: archives find them by their argument) ---
-
-template <class A, Like<std::string> V> void visit(A& ar, V& text) {
-    std::size_t n = ar.count(text.size());
-    if constexpr (A::reading) text.resize(n);
-    for (auto& c : text) ar.value(c);
-}
-
-template <class A, class Element> void visit(A& ar, std::vector<Element>& list);
-template <class A, class Element> void visit(A& ar, const std::vector<Element>& list);
-
-template <class A, Like<Body> V> void visit(A& ar, V& b) {
-    visit(ar, b.kind, b.bullet, b.touchable, b.awake, b.pose, b.angle, b.scale, b.centre, b.local_centre, b.velocity,
-          b.spin, b.force, b.torque, b.acceleration, b.mass, b.inv_mass, b.inertia, b.inv_inertia, b.set_mass,
-          b.damping, b.angular_damping, b.drag, b.gravity_scale, b.density, b.friction, b.restitution, b.still_time,
-          b.serial, b.born, b.first_shape, b.last_shape);
-}
-
-template <class A, Like<Shape> V> void visit(A& ar, V& s) {
-    visit(ar, s.kind, s.body, s.next, s.first_piece, s.local, s.radius, s.mass, s.material.density, s.material.friction,
-          s.material.restitution, s.serial, s.born);
-}
-
-template <class A, Like<ManifoldPoint> V> void visit(A& ar, V& p) {
-    visit(ar, p.anchor_a, p.anchor_b, p.separation, p.normal_impulse, p.tangent_impulse, p.total_impulse,
-          p.closing_speed, p.id);
-}
-
-template <class A, Like<Contact> V> void visit(A& ar, V& c) {
-    visit(ar, c.piece_a, c.piece_b, c.shape_a, c.shape_b, c.body_a, c.body_b, c.axis.edge, c.axis.of_b, c.axis.known,
-          c.count, c.touching, c.normal, c.friction, c.restitution, c.points[0], c.points[1]);
-}
-
-template <class A, Like<Touch> V> void visit(A& ar, V& t) { // references by slot; generations are a process's own
-    visit(ar, t.a.slot, t.b.slot, t.shape_a.slot, t.shape_b.slot, t.order[0], t.order[1], t.order[2], t.order[3],
-          t.gone, t.point, t.normal, t.depth, t.impulse, t.speed);
-}
-
-template <class A, Like<Force> V> void visit(A& ar, V& f) {
-    visit(ar, f.kind, f.everywhere, f.vector, f.anchor, f.at_anchor, f.target, f.stiffness, f.rest_length, f.damping,
-          f.linear, f.quadratic, f.limit, f.serial, f.born);
-    visit(ar, f.bodies);
-    visit(ar, f.note);
-}
-
-template <class A, Like<Area> V> void visit(A& ar, V& a) {
-    visit(ar, a.centre, a.radius);
-    visit(ar, a.parts);
-}
-
-template <class A, class Element> void visit(A& ar, std::vector<Element>& list) {
-    list.resize(ar.count());
-    for (auto& element : list) visit(ar, element);
-}
-template <class A, class Element> void visit(A& ar, const std::vector<Element>& list) {
-    ar.count(list.size());
-    for (auto& element : list) visit(ar, element);
-}
-
 namespace {
 
-// ---- tables: only taken slots, each with its number ------------------------------------------------------------
-
-void write_table(Writer& ar, const Slots& slots, auto&& write_row) {
-    ar.count(slots.count());
-    for (std::uint32_t slot = 0; slot < slots.size(); ++slot) {
-        if (!slots.taken(slot)) continue;
-        ar.value(slot);
-        write_row(slot);
-    }
-}
+// ---- tables ------------------------------------------------------------------------------------------------------
 
 // Rising slot numbers, none so high that the table would be mostly air: a forged file may not ask for all memory.
 void read_table(Reader& ar, std::vector<bool>& taken, auto&& grow, auto&& read_row) {
@@ -111,24 +44,9 @@ void read_table(Reader& ar, std::vector<bool>& taken, auto&& grow, auto&& read_r
 void write_payload(Writer& ar, const World& w) {
     visit(ar, w.gravity, w.sleep_allowed, w.steps, w.time);
     visit(ar, w.bodies.next_serial, w.shapes.next_serial, w.forces.next_serial);
-    write_table(ar, w.bodies.slots, [&](std::uint32_t slot) {
-        visit(ar, w.bodies.rows[slot]);
-        visit(ar, w.bodies.tags[slot]);
-    });
-    write_table(ar, w.shapes.slots, [&](std::uint32_t slot) {
-        visit(ar, w.shapes.rows[slot]);
-        visit(ar, w.shapes.corners[slot]);
-        visit(ar, w.shapes.parts[slot]);
-    });
-    write_table(ar, w.shapes.piece_slots, [&](std::uint32_t slot) { // the rest of a piece follows from its shape
-        visit(ar, w.shapes.pieces[slot].shape, w.shapes.pieces[slot].next);
-    });
-    write_table(ar, w.forces.slots, [&](std::uint32_t slot) {
-        visit(ar, w.forces.rows[slot]);
-        visit(ar, w.forces.areas[slot]);
-    });
-    visit(ar, w.contacts.rows);
-    visit(ar, w.contacts.touches);
+    write_bodies(ar, w);
+    write_forces(ar, w);
+    write_contacts(ar, w);
 }
 
 // Beside the State: what each object was made from, so that references know it again.
@@ -347,30 +265,6 @@ void restore(World& w, SavedState& s) {
     w.previous = w.present;
 }
 
-namespace {
-
-// 64 bits over 8 bytes at a time: multiply, rotate, and a last avalanche (as in Appleby's MurmurHash3 finaliser).
-std::uint64_t hash(std::span<const std::uint8_t> bytes) {
-    std::uint64_t h = 0x9e3779b97f4a7c15ull ^ bytes.size();
-    std::size_t i = 0;
-    auto mix = [&](std::uint64_t word) {
-        h = std::rotl(h ^ (word * 0xff51afd7ed558ccdull), 29) * 0xc4ceb9fe1a85ec53ull;
-    };
-    for (; i + 8 <= bytes.size(); i += 8) {
-        std::uint64_t word = 0;
-        std::memcpy(&word, bytes.data() + i, 8);
-        mix(word);
-    }
-    std::uint64_t tail = 0;
-    for (std::size_t k = 0; i + k < bytes.size(); ++k) tail |= std::uint64_t{bytes[i + k]} << (8 * k);
-    mix(tail);
-    h ^= h >> 33;
-    h *= 0xff51afd7ed558ccdull;
-    return h ^ (h >> 33);
-}
-
-} // namespace
-
 std::uint64_t checksum(const World& world) {
     Writer ar;
     write_payload(ar, world);
@@ -424,6 +318,16 @@ std::vector<std::string> notes_of(const SavedState& saved) {
         if (saved.force_taken[i] && saved.forces.rows[i].kind == ForceKind::python)
             notes.push_back(saved.forces.rows[i].note);
     return notes;
+}
+
+SavedSlots slots_of(const SavedState& saved) {
+    auto numbers = [](const std::vector<bool>& taken) {
+        std::vector<std::uint32_t> list;
+        for (std::uint32_t i = 0; i < taken.size(); ++i)
+            if (taken[i]) list.push_back(i);
+        return list;
+    };
+    return {numbers(saved.body_taken), numbers(saved.shape_taken), numbers(saved.force_taken)};
 }
 
 } // namespace evil

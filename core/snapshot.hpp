@@ -13,6 +13,14 @@ inline constexpr std::uint32_t kSnapshotVersion = 1;
 std::vector<std::uint8_t> snapshot(const World& world);
 std::uint64_t checksum(const World& world);
 
+// The same State in parts, so that two runs that part ways can be told where: 64 bits each, cheap enough for every step.
+struct Sums {
+    std::uint64_t bodies = 0;   // with their shapes
+    std::uint64_t contacts = 0; // and who touches whom
+    std::uint64_t forces = 0;   // and gravity
+};
+Sums sums(const World& world);
+
 enum class SnapshotProblem { none, not_a_snapshot, other_version, cut_short, damaged, inconsistent };
 
 // Restoring has two halves, so that whoever keeps more than the core can refuse before anything has changed.
@@ -23,6 +31,10 @@ struct ReadSnapshot {
 };
 ReadSnapshot read_snapshot(std::span<const std::uint8_t> bytes);
 std::vector<std::string> notes_of(const SavedState& saved); // of the forces written in Python
+struct SavedSlots {                                         // which are taken
+    std::vector<std::uint32_t> bodies, shapes, forces;
+};
+SavedSlots slots_of(const SavedState& saved);
 
 // Become what was saved; `saved` is used up. Objects that are the same before and after keep their references; every
 // other reference becomes stale.

@@ -35,6 +35,7 @@ FOREIGN = {
     "sdl2": ("platform/",),
     "sdl2dll": ("platform/", "cli/doctor.py"),
     "miniaudio": ("audio/decode.py",),
+    "platformdirs": ("save/",),
     "PIL": ("assets/", "values/picture_files.py", "cli/doctor.py"),
 }
 
@@ -121,7 +122,7 @@ def test_a_foreign_package_is_known_in_one_place_only(package: str) -> None:
 def test_the_engine_needs_nothing_that_is_not_declared() -> None:
     import sys
 
-    declared = {"sdl2", "sdl2dll", "PIL", "miniaudio", "evilengine"}
+    declared = {"sdl2", "sdl2dll", "PIL", "platformdirs", "miniaudio", "evilengine"}
     used = {name.split(".")[0] for file in python_files() for name in imports_of(file)}
     assert used - declared - sys.stdlib_module_names == set()
 

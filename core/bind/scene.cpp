@@ -4,6 +4,7 @@
 #include "bind/convert.hpp"
 #include "bind/shapes.hpp"
 #include "draw/debug.hpp"
+#include "draw/saving.hpp"
 #include "shapes/polygon.hpp"
 #include <algorithm>
 #include <array>
@@ -12,6 +13,7 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
 #include <optional>
 
 namespace evil::bind {
@@ -164,6 +166,40 @@ std::tuple<std::uint32_t, std::uint32_t, std::uint32_t> debug_frame(SceneBox& bo
     return {count.bodies, count.asleep, count.contacts};
 }
 
+// Bytes, and the texture ids that they count 1, 2, ...
+std::tuple<nb::bytes, std::vector<std::uint32_t>> snapshot_scene(const SceneBox& box, const World& world) {
+    SceneBytes saved = draw::snapshot(box.scene, world);
+    return {nb::bytes(saved.bytes.data(), saved.bytes.size()), std::move(saved.textures)};
+}
+
+struct ReadScene { // on its way from bytes to a restore; the world has a Saved, and nanobind tells types by their names
+    std::shared_ptr<const SavedScene> scene;
+};
+
+ReadScene read_bytes(nb::bytes data) {
+    ReadScene saved{read_scene({reinterpret_cast<const std::uint8_t*>(data.c_str()), data.size()})};
+    if (!saved.scene) raise(ErrorKind::snapshot, "these bytes are no scene");
+    return saved;
+}
+
+// Slot of each drawing, and of the body and the shape that it is on; kNone for nothing.
+std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> places(const ReadScene& saved) {
+    std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> rows;
+    std::vector<std::size_t> order(saved.scene->slots.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::ranges::sort(order, {}, [&](std::size_t i) { return saved.scene->drawings[i].serial; });
+    for (const std::size_t i : order)
+        rows.emplace_back(saved.scene->slots[i], saved.scene->drawings[i].body.slot,
+                          saved.scene->drawings[i].shape.slot);
+    return rows;
+}
+
+void restore_scene(SceneBox& box, const ReadScene& saved, const World& world,
+                   const std::vector<std::uint32_t>& textures) {
+    if (textures.size() != saved.scene->textures || !draw::restore(box.scene, *saved.scene, world, textures))
+        raise(ErrorKind::snapshot, "this scene is of another world");
+}
+
 void add_glyphs(SceneBox& box, nb::bytes boxes, float x, float y, std::uint32_t texture, Rgba8 colour) {
     static_assert(sizeof(Glyph) == 8 * sizeof(float));
     if (boxes.size() % sizeof(Glyph) != 0)
@@ -178,9 +214,17 @@ void add_glyphs(SceneBox& box, nb::bytes boxes, float x, float y, std::uint32_t 
 void register_scene(nb::module_& module) {
     const auto slot = nb::arg("slot"), generation = nb::arg("generation"), value = nb::arg("value");
     const auto world = nb::arg("world"), view = nb::arg("view"), alpha = nb::arg("alpha"), points = nb::arg("points");
+    nb::class_<ReadScene>(module, "SavedScene", "A scene that was read and found whole.")
+        .def("__init__", [](ReadScene* self, nb::bytes data) { new (self) ReadScene{read_bytes(data)}; })
+        .def_prop_ro("textures", [](const ReadScene& saved) { return saved.scene->textures; })
+        .def_prop_ro("places", &places, "(slot, body's slot, shape's slot) of each drawing, in the order of creation.");
     nb::class_<SceneBox>(module, "Scene", "Drawings by slot and generation; evilengine.scene is the face.")
         .def(nb::init<>())
         .def("__len__", [](const SceneBox& box) { return box.scene.slots.count(); })
+        .def("snapshot", &snapshot_scene, world)
+        .def("restore", &restore_scene, nb::arg("saved"), world, nb::arg("textures"))
+        .def(
+            "generation", [](const SceneBox& box, std::uint32_t s) { return box.scene.slots.generation(s); }, slot)
         .def_prop_ro("mesh_count", [](const SceneBox& box) { return box.scene.meshes.count(); })
         .def(
             "add_polygon",

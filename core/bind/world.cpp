@@ -2,6 +2,7 @@
 #include "bind/views.hpp"
 #include "collider/queries.hpp"
 #include "snapshot.hpp"
+#include <nanobind/stl/tuple.h>
 
 namespace evil::bind {
 
@@ -301,12 +302,20 @@ void register_world(nb::module_& module) {
     saved.def("__init__", [](Saved* self, nb::bytes data) { new (self) Saved{read_bytes(data)}; });
     saved.def_prop_ro("notes",
                       [](const Saved& s) { return s.state ? notes_of(*s.state) : std::vector<std::string>{}; });
+    saved.def_prop_ro("slots", [](const Saved& s) {
+        const SavedSlots slots = s.state ? slots_of(*s.state) : SavedSlots{};
+        return std::tuple(slots.bodies, slots.shapes, slots.forces);
+    });
     c.def("restore", [](World& w, Saved& s) {
         if (!s.state) raise(ErrorKind::snapshot, "World.restore: this snapshot was used up; read it again");
         restore(w, *s.state);
         s.state.reset();
     });
     c.def("checksum", [](const World& w) { return checksum(w); });
+    c.def("sums", [](const World& w) {
+        const Sums each = sums(w);
+        return std::tuple(each.bodies, each.contacts, each.forces);
+    });
 }
 
 } // namespace evil::bind

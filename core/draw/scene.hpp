@@ -9,7 +9,7 @@ namespace evil::draw {
 
 using DrawingRef = Ref<struct DrawingTag>;
 
-struct Drawing {
+struct Drawing {            // draw/saving.cpp says which of it is saved
     BodyRef body;           // slot kNone: stands by itself
     ShapeRef shape;         // of that body, whose matrix it follows too (SPEC P4); slot kNone: no shape
     Affine local;           // mesh to shape, to body, or to world

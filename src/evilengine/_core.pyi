@@ -194,6 +194,8 @@ class World:
 
     def checksum(self) -> int: ...
 
+    def sums(self) -> tuple[int, int, int]: ...
+
 class Saved:
     """A snapshot that was read and found whole."""
 
@@ -201,6 +203,9 @@ class Saved:
 
     @property
     def notes(self) -> list[str]: ...
+
+    @property
+    def slots(self) -> tuple[list[int], list[int], list[int]]: ...
 
 class Body:
     """Reference to a body of a world."""
@@ -683,12 +688,32 @@ class Raster:
 def unpremultiply(pixels: object) -> None:
     """Turn pixels multiplied with alpha into straight ones, in place."""
 
+class SavedScene:
+    """A scene that was read and found whole."""
+
+    def __init__(self, arg: bytes, /) -> None: ...
+
+    @property
+    def textures(self) -> int: ...
+
+    @property
+    def places(self) -> list[tuple[int, int, int]]:
+        """
+        (slot, body's slot, shape's slot) of each drawing, in the order of creation.
+        """
+
 class Scene:
     """Drawings by slot and generation; evilengine.scene is the face."""
 
     def __init__(self) -> None: ...
 
     def __len__(self) -> int: ...
+
+    def snapshot(self, world: World) -> tuple[bytes, list[int]]: ...
+
+    def restore(self, saved: SavedScene, world: World, textures: Sequence[int]) -> None: ...
+
+    def generation(self, slot: int) -> int: ...
 
     @property
     def mesh_count(self) -> int: ...

@@ -2,45 +2,44 @@
 
 from __future__ import annotations
 
-import inspect
 import math
 import random
 import time
-from collections.abc import Iterable
-from pathlib import Path, PurePath
-from typing import TYPE_CHECKING, Any, cast
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from evilengine.assets import Images, Pictures
 from evilengine.audio import Audio, Listener
+from evilengine.game import saving
+from evilengine.game.controls import Controls
 from evilengine.game.output import SHIPPED, for_device, open_output
 from evilengine.game.stage import STAGE, keep_pace, open_device, script_folder
-from evilengine.interaction import Grabs, Interaction, axis
+from evilengine.game.things import Things
 from evilengine.platform import Device, HeadlessDevice
 from evilengine.renderer import open_renderer
-from evilengine.scene import LOOKS, Camera, Drawing, DrawnBody, Scene, Text
-from evilengine.scene.camera import POINTS_A_METRE
-from evilengine.scene.drawing import DEEPEST_LAYER
+from evilengine.save import Functions, Slots
+from evilengine.scene import Camera, DrawnBody, Scene
 from evilengine.timer import Clock, Schedule
 from evilengine.values.callbacks import Callbacks
-from evilengine.values.checks import did_you_mean, known_keywords, number
-from evilengine.values.colour import ColourLike
-from evilengine.values.errors import ArgumentTypeError, AssetError, Error
+from evilengine.values.checks import known_keywords, number
+from evilengine.values.errors import ArgumentTypeError, Error
 from evilengine.values.events import CloseEvent, Event, ResizeEvent
 from evilengine.values.image import Image
-from evilengine.values.inputs import Inputs, Keys, Pointer, Tilt, Touch
 from evilengine.values.tick import STEP
 from evilengine.values.vec2 import Point, Vec2
-from evilengine.world.shapes import Rectangle
 from evilengine.world.world import World
 
 if TYPE_CHECKING:
     from evilengine.level import Level
 
+F = TypeVar("F", bound=Callable[..., Any])
+
 HEADLESS_SECONDS = 10.0
 """How long `run()` plays where nobody can close a window, unless it is told."""
 
 
-class Game:
+class Game(Controls, Things):
     """A world, its looks, its player and its time.
 
     `size` is in logical points; 50 of them show a metre unless `view_height` says how many metres the screen is high.
@@ -87,6 +86,8 @@ class Game:
             raise ArgumentTypeError(f"Game: seed={seed!r} must be a whole number")
         if not (folder is None or isinstance(folder, (str, Path))):
             raise ArgumentTypeError(f"Game: folder={folder!r} must be a path, or None for the folder of the script")
+        super().__init__()
+        self.title = title
         self.world = World(gravity, threads=threads, sleep=sleep)
         self.world._body_type = DrawnBody
         self.renderer = open_renderer(renderer)
@@ -105,24 +106,19 @@ class Game:
         self.paused = False
         self.running = True
 
+        self.levels: list[Level] = []
+        """The levels at play, in the order in which they were loaded."""
+        self._functions = Functions()
         self._clock = Clock()
-        self._interaction = Interaction()
-        self._grabs = Grabs()
-        self._inputs = Inputs()
         self._alpha = 1.0
         self._busy = ""  # inside which part of a frame a callback runs
+        self._when_over: list[Callable[[], object]] = []  # what is put off until that part is over
         self._tilted: tuple[Vec2, Vec2] | None = None  # the direction last set, and the gravity it gave
         self._strength = 0.0
 
         self.on_event: Callbacks[[Event]] = Callbacks("game.on_event", "event")
         self.on_update: Callbacks[[float]] = Callbacks("game.on_update", "dt")
         self.on_draw: Callbacks[[]] = Callbacks("game.on_draw")
-        self.on_key_press: Callbacks[[str]] = Callbacks("game.on_key_press", "key")
-        self.on_key_release: Callbacks[[str]] = Callbacks("game.on_key_release", "key")
-        self.on_pointer: Callbacks[[Pointer]] = Callbacks("game.on_pointer", "pointer")
-        self.on_touch: Callbacks[[Touch]] = Callbacks("game.on_touch", "touch")
-        self.on_tilt: Callbacks[[Tilt]] = Callbacks("game.on_tilt", "tilt")
-        self.on_shake: Callbacks[[]] = Callbacks("game.on_shake")
 
     # One frame ------------------------------------------------------------------------------------------------------
 
@@ -170,7 +166,7 @@ class Game:
         self._busy = "a step"
         try:
             self._inputs = self._interaction.snapshot(self.camera.to_world, STEP)
-            self._tell_inputs(self._inputs)
+            self._tell_inputs(self._inputs, self.world)
             self.timer.run_due()
             self.on_update.run(STEP)
             if self.tilt:
@@ -179,6 +175,7 @@ class Game:
         finally:
             self._busy = ""
         self._hear()
+        self._do_what_waited()
 
     def _draw(self) -> None:
         self._busy = "drawing"
@@ -187,27 +184,10 @@ class Game:
             self.renderer.draw(self.scene.collect(self.camera, self._alpha, self.device.pixel_size, self.device.scale))
         finally:
             self._busy = ""
+        self._do_what_waited()
 
     def _hear(self, *, paused: bool = False) -> None:
         self.audio.update(Listener(self.camera.position, self.camera.angle), paused=paused)
-
-    def _tell_inputs(self, inputs: Inputs) -> None:
-        for key in inputs.pressed:
-            self.on_key_press.run(key)
-        for key in inputs.released:
-            self.on_key_release.run(key)
-        pointer = inputs.pointer
-        if pointer.pressed or pointer.released or pointer.pixel != pointer.previous_pixel:
-            self.on_pointer.run(pointer)
-        for body, touch in self._grabs.update(inputs, self.world):
-            if body.alive:
-                body.on_touch.run(touch)
-        for touch in inputs.touch_events:
-            self.on_touch.run(touch)
-        if inputs.tilt.changed:
-            self.on_tilt.run(inputs.tilt)
-        if inputs.tilt.shaken:
-            self.on_shake.run()
 
     def _turn_gravity(self, direction: Vec2) -> None:
         """Turn gravity and keep its strength (SPEC I4), which is that of the gravity that anybody else set last."""
@@ -225,129 +205,64 @@ class Game:
         if self._busy:
             raise Error(f"{what}: cannot be called inside {self._busy}; a callback is part of the frame that calls it")
 
-    # What the player does ---------------------------------------------------------------------------------------------
-
-    @property
-    def inputs(self) -> Inputs:
-        """Everything the player did in the last step, as one value."""
-        return self._inputs
-
-    @property
-    def keys(self) -> Keys:
-        """The keys held: `game.keys["left"]`."""
-        return self._inputs.keys
-
-    @property
-    def pointer(self) -> Pointer:
-        """The mouse."""
-        return self._inputs.pointer
-
-    @property
-    def touches(self) -> tuple[Touch, ...]:
-        """The fingers on the screen, the mouse with its button down among them."""
-        return self._inputs.touches
+    # Saving -----------------------------------------------------------------------------------------------------------
 
     @known_keywords
-    def axis(self, negative: str | Iterable[str], positive: str | Iterable[str]) -> float:
-        """-1 while the key `negative` is held, 1 while `positive` is, 0 with both or none.
+    def save(self, slot: str, *, folder: str | Path | None = None) -> Path:
+        """Save the whole game in `slot`, a name of letters, digits, dashes and underscores; returns the file.
 
-        Each side may be several keys; a pad's stick ("stick_left", "stick_right", ...) gives what lies between.
+        It lies in the user's data folder, under the title of the game, or in `folder`. The file is written whole or not
+        at all, and the save before it is kept as a backup. Inside a callback of a step, the save is made when that step
+        is over. Raises SaveError for functions (timers, callbacks of bodies, motions) that could not be found again by
+        name, see `register`, and when the file cannot be written; what was saved before is there then.
         """
-        return axis(self._inputs, negative, positive)
+        slots = Slots(self.title, folder)
+        path = slots.path(slot, "Game.save")
+        self._when_free(lambda: saving.save(self, slots, path))
+        return path
 
-    # What there is ----------------------------------------------------------------------------------------------------
+    @known_keywords
+    def resume(self, slot: str, *, folder: str | Path | None = None) -> None:
+        """Become the game that was saved in `slot`, also by another process: it goes on as if it had never stopped.
 
-    def add(self, shape: Any, **options: Any) -> DrawnBody:
-        """Add a body that is seen: everything that `world.add` takes, and the looks that `body.draw` takes.
+        What the player held at the time is let go of. Handles of things that are the same then and now stay good; find
+        others by their tags. The game's own callbacks (`on_update` and its kin) stay as they are. If the file is
+        damaged, the backup is used, with a line of notice. Inside a callback of a step, it happens when that is over.
+
+        Raises SaveError, and changes nothing, when there is no such save, or it cannot be used.
+        """
+        slots = Slots(self.title, folder)
+        path = slots.path(slot, "Game.resume")
+        self._when_free(lambda: saving.resume(self, slots, path))
+
+    @known_keywords
+    def register(self, name: str, function: F) -> F:
+        """Let saved games call `function` by `name`; returns it.
+
+        Functions at the top of a module need no name. Others (methods, functions inside functions) do, if they are on a
+        timer, on a body or a motion when the game is saved; register them again before `resume`.
 
         >>> game = Game(headless=True)
-        >>> crate = game.add(evil.Rectangle(1, 1), at=(0, 4), friction=0.8, colour="#c96")
-        >>> crate.drawings[0].colour.hex
-        '#cc9966'
+        >>> def coins(worth):
+        ...     return lambda: print("worth", worth)
+        >>> ring = game.register("ten coins", coins(10))
+        >>> game.timer.after(2.0, ring)
+        <Event at 2 s>
         """
-        looks = {word: options.pop(word) for word in LOOKS if word in options}
-        unknown = next((word for word in options if word not in _BODY_OPTIONS), None)
-        if unknown is not None:
-            words = sorted(_BODY_OPTIONS | LOOKS)
-            raise ArgumentTypeError(
-                f"Game.add() got an unknown argument {unknown}={options[unknown]!r}{did_you_mean(unknown, words)}"
-                f"; it takes {', '.join(words)}"
-            )
-        body = cast(DrawnBody, self.world.add(shape, **options))
-        try:
-            body.draw(**looks)
-        except BaseException:
-            self.world._take_back(body)
-            raise
-        return body
+        self._functions.register(name, function)
+        return function
 
-    def draw(self, shape: Any, **options: Any) -> Drawing:
-        """Draw a shape that takes no part in the physics."""
-        return self.scene.add(shape, **options)
+    def _when_free(self, do: Callable[[], object]) -> None:
+        """Do it now or, inside a callback, when the part of the frame that called it is over."""
+        if self._busy:
+            self._when_over.append(do)
+        else:
+            do()
 
-    def sprite(self, image: str, *, height: float | None = None, **options: Any) -> Drawing:
-        """Draw the image called `image`, `height` metres high or as large as it is: 50 logical points a metre.
-
-        Takes what `draw` takes; with `body=` it is drawn on that body, moves with it and stays out of the physics.
-        """
-        width, points = self._pictures.size(image)
-        high = points / POINTS_A_METRE if height is None else number(height, "Game.sprite", "height", above=0.0)
-        return self.scene.add(Rectangle(high * width / points, high), texture=image, **options)
-
-    def text(self, text: str, **options: Any) -> Text:
-        """Put a line of text on the screen, `at` logical points from its top left corner."""
-        return self.scene.text(text, **options)
-
-    @known_keywords
-    def add_background(self, what: ColourLike) -> Drawing | None:
-        """Set what lies behind everything: a colour, or an image by its file name, which covers what the camera shows.
-
-        The image is a Drawing in the deepest layer and stays where it is in the world; a colour gives None.
-        """
-        if not (isinstance(what, str) and PurePath(what).suffix):
-            self.scene.background = what
-            return None
-        width, height = self._pictures.size(what)
-        across, up = (side / self.camera.points_a_metre for side in self.camera.size)
-        metres = max(across / width, up / height)  # a pixel of it: as small as covers the screen both ways
-        shape = Rectangle(width * metres, height * metres)
-        return self.scene.add(shape, at=self.camera.position, texture=what, layer=-DEEPEST_LAYER)
-
-    @known_keywords
-    def load(self, path: str | Path) -> Level:
-        """Build a level script into this game and return the level, whose things have names: `level["ball"]`.
-
-        Raises LevelError with all its errors, AssetError if it is missing; nothing is added then.
-        """
-        from evilengine import level  # games without levels need no parser
-
-        return level.load(self, self.find(path))
-
-    @known_keywords
-    def find(self, name: str | Path) -> Path:
-        """The file called `name`, in the game's folder or in the current one. Raises AssetError if it is in neither."""
-        if not isinstance(name, (str, PurePath)):
-            raise ArgumentTypeError(f"Game: {name!r} must be the name of a file")
-        for folder in (self.folder, Path.cwd()):
-            if (folder / name).is_file():
-                return folder / name
-        raise AssetError(f"Game: there is no file {str(name)!r} in {self.folder} or in the current folder")
-
-    def reload_images(self) -> list[str]:
-        """Show the images whose files have changed as they are now; `evil play` asks for it while it plays.
-
-        An image that cannot be read any more stays as it was, and a line in the list says why.
-        """
-        return self._pictures.reload()
-
-    @property
-    def debug(self) -> bool:
-        """Is the debug view on: outlines, contact normals as arrows, the arrow of gravity (SPEC G12)?"""
-        return self.scene.debug
-
-    @debug.setter
-    def debug(self, on: bool) -> None:
-        self.scene.debug = bool(on)
+    def _do_what_waited(self) -> None:
+        waiting, self._when_over = self._when_over, []
+        for do in waiting:
+            do()
 
     # Running ----------------------------------------------------------------------------------------------------------
 
@@ -398,6 +313,3 @@ class Game:
         self._refuse_in_a_callback("Game.capture")
         self._draw()
         return self.renderer.capture()
-
-
-_BODY_OPTIONS = frozenset(inspect.signature(World.add).parameters) - {"self", "shape"}

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 from evilengine.interaction.axis import DEAD_ZONE, axis
 from evilengine.interaction.tilt import StandIns, Tilting
+from evilengine.values.checks import number, one_of
 from evilengine.values.events import (
+    POINTER_BUTTONS,
     STICK_KEYS,
     Event,
     Finger,
@@ -24,9 +27,10 @@ from evilengine.values.events import (
     TiltEvent,
     TouchEvent,
     WheelEvent,
+    key_name,
 )
 from evilengine.values.inputs import NOWHERE, Inputs, Keys, Pad, Pointer, Touch
-from evilengine.values.vec2 import Vec2
+from evilengine.values.vec2 import Vec2, to_vec2
 
 MOUSE: Finger = "mouse"
 KEYBOARD = -1  # a source of keys, beside pads 0, 1, ...
@@ -133,6 +137,59 @@ class Interaction:
         )
         return replace(inputs, tilt=self._tilting.step(dt, changes.readings, self._stand_ins(inputs)))
 
+    # ---- saving ---------------------------------------------------------------------------------------------------
+
+    def state(self) -> dict[str, Any]:
+        """What a saved game keeps: what is held. What waits for the next step is lost, and pads are the device's."""
+        fingers = [
+            [name, *map(list, (finger.pixel, finger.at, finger.pixel_before, finger.at_before)), finger.began]
+            for name, finger in self._fingers.items()
+            if not finger.ended
+        ]
+        return {
+            "keys": list(self._keys),
+            "buttons": list(self._buttons),
+            "pixel": list(self._pixel),
+            "pointer": None if self._pointer is None else [list(self._pointer.at), list(self._pointer.pixel)],
+            "fingers": fingers,
+            "sensors": [[event.sensor, list(event.values)] for event in self._sensors.values()],
+            "tilting": self._tilting.state(),
+        }
+
+    def read(self, state: dict[str, Any]) -> Callable[[], None]:
+        """Read what `state` gave, and return what puts it in place; nothing changes before that is called.
+
+        The next step lets go of all that was held then, as when the window loses its player: whoever goes on with the
+        game holds other things. Pads stay as they are connected now.
+        """
+        me = "interaction"
+        keys = [key_name(key, me, "key") for key in state["keys"]]
+        buttons = [one_of(button, me, "button", POINTER_BUTTONS) for button in state["buttons"]]
+        pixel = to_vec2(state["pixel"], me, "pixel")
+        pointer = None
+        if state["pointer"] is not None:
+            at, pointer_pixel = (to_vec2(each, me, "pointer") for each in state["pointer"])
+            pointer = Pointer(at=at, pixel=pointer_pixel)
+        fingers: dict[Finger, _Finger] = {}
+        for name, *places, began in state["fingers"]:
+            if not isinstance(name, (int, str)):
+                raise ValueError("no finger")
+            now, at, before, at_before = (to_vec2(each, me, "finger") for each in places)
+            fingers[name] = _Finger(now, at, before, at_before, bool(began))
+        sensors = {}
+        for name, (x, y, z) in state["sensors"]:
+            reading = number(x, me, "sensor"), number(y, me, "sensor"), number(z, me, "sensor")
+            sensors[str(name)] = SensorEvent(str(name), reading)
+        tilting = Tilting.of(state["tilting"])
+
+        def put() -> None:
+            self._keys = {key: [KEYBOARD] for key in keys}
+            self._buttons, self._pixel, self._pointer = buttons, pixel, pointer
+            self._fingers, self._sensors, self._tilting = fingers, sensors, tilting
+            self._waiting = [FocusEvent(False)]
+
+        return put
+
     # ---- one event ------------------------------------------------------------------------------------------------
 
     def _take(self, event: Event, changes: _Changes) -> None:
@@ -218,8 +275,8 @@ class Interaction:
             self._pads[number] = _Pad(self._pads[number].name)
 
     def _let_go_of_everything(self, changes: _Changes) -> None:
-        for number in (KEYBOARD, *self._pads):
-            self._let_go_of_pad(number, changes)
+        for source in (KEYBOARD, *self._pads):
+            self._let_go_of_pad(source, changes)
         for name, finger in list(self._fingers.items()):
             self._touch(TouchEvent(name, "ended", finger.pixel, cancelled=True), changes)
         changes.buttons_released.extend(self._buttons)

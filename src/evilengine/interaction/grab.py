@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Container, Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from evilengine.values.events import Finger
 from evilengine.values.inputs import Inputs, Touch
-from evilengine.values.vec2 import Vec2
+from evilengine.values.vec2 import Vec2, to_vec2
 from evilengine.world.forces import Pull
 
 if TYPE_CHECKING:
@@ -91,6 +91,35 @@ class Grabs:
                 hold.aim = hold.pull.to
             hold.touch = touch
         return tuple(told)
+
+    def state(self) -> list[list[Any]]:
+        """What a saved game keeps: finger, its body's slot, its pull's slot, where it is."""
+        return [
+            [finger, hold.body.slot, None if hold.pull is None else hold.pull._handle().slot, list(hold.touch.at),
+             list(hold.touch.pixel)]
+            for finger, hold in self._holds.items()
+            if hold.lasts
+        ]  # fmt: skip
+
+    def read(self, state: list[list[Any]], world: World, bodies: Container[int]) -> Callable[[], None]:
+        """Read what `state` gave, and return what puts it in place, once the world is restored."""
+        rows = []
+        for finger, body, pull, at, pixel in state:
+            if not isinstance(finger, (int, str)) or body not in bodies:
+                raise ValueError("no finger on no body")
+            place, on_screen = to_vec2(at, "grab", "at"), to_vec2(pixel, "grab", "pixel")
+            rows.append((finger, body, pull, Touch(finger, "moved", place, place, on_screen, on_screen)))
+
+        def put() -> None:
+            self._holds.clear()
+            for finger, slot, force, touch in rows:
+                pull = None if force is None else world._forces.get(force)
+                if isinstance(pull, Pull):
+                    self._holds[finger] = Hold(world._body(slot), pull, touch, pull.to)
+                elif force is None:
+                    self._holds[finger] = Hold(world._body(slot), None, touch, touch.at)
+
+        return put
 
     def let_go(self) -> None:
         """Every finger lets go of what it holds, as before a world is saved: a pull without a finger would stay."""

@@ -9,10 +9,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
+from evilengine.values.checks import number
 from evilengine.values.events import Reading
 from evilengine.values.inputs import DOWN, NOWHERE, Tilt
-from evilengine.values.vec2 import Vec2
+from evilengine.values.vec2 import Vec2, to_vec2
 
 FLAT = 0.05
 """g along the screen under which the device counts as lying flat; below, a sensor's noise would spin gravity about."""
@@ -73,6 +75,27 @@ class Tilting:
         changed = (self._direction, self._reading) != before
         return Tilt(self._direction, self._reading, changed, shaken)
 
+    def state(self) -> dict[str, Any]:
+        """What a saved game keeps."""
+        return {
+            "direction": list(self._direction), "reading": self._reading, "turning": self._turning, "owed": self._owed,
+            "jolt": self._shake.last, "ages": self._shake.ages, "rest": self._shake.rest,
+        }  # fmt: skip
+
+    @classmethod
+    def of(cls, state: dict[str, Any]) -> Tilting:
+        """The tilt that `state` was taken of. Raises ValueError, TypeError or KeyError for what is none."""
+        tilting = cls()
+        tilting._direction = to_vec2(state["direction"], "tilt", "direction")
+        if not 0.999 < tilting._direction.length < 1.001:
+            raise ValueError("a direction whose length is not 1")
+        tilting._reading = _reading(state["reading"])
+        tilting._turning, tilting._owed = (number(state[part], "tilt", part) for part in ("turning", "owed"))
+        tilting._shake.last = _reading(state["jolt"])
+        tilting._shake.ages = [number(age, "tilt", "ages") for age in state["ages"]]
+        tilting._shake.rest = number(state["rest"], "tilt", "rest")
+        return tilting
+
     def _read(self, reading: Reading) -> None:
         self._reading = reading
         x, y, _ = reading
@@ -101,25 +124,32 @@ class _Shake:
     """Finds shakes: several jolts in a short time, each followed by calm or by a jolt the other way."""
 
     def __init__(self) -> None:
-        self._last: Reading | None = None  # of the jolt that goes on
-        self._ages: list[float] = []  # seconds since each jolt began
-        self._rest = 0.0
+        self.last: Reading | None = None  # of the jolt that goes on
+        self.ages: list[float] = []  # seconds since each jolt began
+        self.rest = 0.0
 
     def step(self, dt: float, readings: Sequence[Reading]) -> bool:
-        self._ages = [age + dt for age in self._ages if age + dt <= SHAKE_TIME]
-        self._rest = max(0.0, self._rest - dt)
+        self.ages = [age + dt for age in self.ages if age + dt <= SHAKE_TIME]
+        self.rest = max(0.0, self.rest - dt)
         for reading in readings:
             strength = math.sqrt(_dot(reading, reading))
             if strength < CALM:
-                self._last = None
-            elif strength > JOLT and (self._last is None or _dot(self._last, reading) < 0.0):
-                self._last = reading
-                self._ages.append(0.0)
-        if len(self._ages) < JOLTS or self._rest > 0.0:
+                self.last = None
+            elif strength > JOLT and (self.last is None or _dot(self.last, reading) < 0.0):
+                self.last = reading
+                self.ages.append(0.0)
+        if len(self.ages) < JOLTS or self.rest > 0.0:
             return False
-        self._ages.clear()
-        self._rest = SHAKE_REST
+        self.ages.clear()
+        self.rest = SHAKE_REST
         return True
+
+
+def _reading(values: Any) -> Reading | None:
+    if values is None:
+        return None
+    x, y, z = (number(value, "tilt", "reading") for value in values)
+    return x, y, z
 
 
 def _dot(a: Reading, b: Reading) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
-from evilengine.level.level import TYPES, Level, Thing, build, load
+from evilengine.level.level import TYPES, Level, build, load
+from evilengine.level.rules import Thing
 
 __all__ = ["TYPES", "Level", "Thing", "build", "load"]

@@ -11,29 +11,28 @@ from __future__ import annotations
 
 import logging
 import random
-from collections import ChainMap
 from collections.abc import Callable
 from pathlib import Path, PurePath
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any
 
 from evilengine import script
+from evilengine.level.rules import Answers, Consequence, Gone, Rounds, Scope, Thing
 from evilengine.script.arithmetic import ArithmeticProblem, evaluate
-from evilengine.script.tags import Tags, when_met, when_touched
+from evilengine.script.tags import Rule, Tags
 from evilengine.script.word import MAX_BODIES, MAX_ROUNDS
 from evilengine.values import level as commands
 from evilengine.values.errors import ArgumentError, Error, LevelError
 from evilengine.values.level import Area, Block, Called, Corners, LevelScript, Make, Number, Pair, Tagged, level_error
 from evilengine.world.body import Body
-from evilengine.world.forces import ConstantForce, Drag, Force, Medium, Spring
+from evilengine.world.forces import ConstantForce, Drag, Medium, Spring
 from evilengine.world.shapes import Circle, Particle, Polygon, Rectangle, Triangle
 from evilengine.world.world import World
 
 if TYPE_CHECKING:
     from evilengine.game import Game
-    from evilengine.scene import Drawing, Text
-    from evilengine.values.inputs import Touch
-
-Thing: TypeAlias = "Body | Drawing | Force | Text"
+    from evilengine.scene import Text
+    from evilengine.timer import Event
+    from evilengine.values.callbacks import Callbacks
 
 TYPES: dict[str, Callable[..., Any]] = {
     each.__name__: each
@@ -61,33 +60,17 @@ _RULES = (commands.OnContact, commands.OnTouch, commands.OnKey, commands.OnShake
 _COUNTED = (*_RULES, commands.AddForce, commands.AddDrawing, commands.AddText, commands.After, commands.Every)
 
 
-class Scope:
-    """The names known in a block: its own, then those of the blocks round it."""
-
-    __slots__ = ("numbers", "things")
-
-    def __init__(self, outer: Scope | None = None) -> None:
-        self.things: ChainMap[str, Thing] = outer.things.new_child() if outer else ChainMap()
-        self.numbers: ChainMap[str, float] = outer.numbers.new_child() if outer else ChainMap()
-
-    def change(self, name: str, value: float) -> None:
-        """Set a number where it was made."""
-        for each in self.numbers.maps:
-            if name in each:
-                each[name] = value
-                return
-
-
 class Level:
     """A level at play. `level["ball"]` is what it calls ball, and `in` asks whether that is there."""
 
-    def __init__(self, level: LevelScript, target: Game | World) -> None:
+    def __init__(self, level: LevelScript, target: Game | World, *, built: bool = False) -> None:
         self.script = level
         self.game: Game | None = None if isinstance(target, World) else target
         self.world: World = target if isinstance(target, World) else target.world
         self._random = self.game.random if self.game is not None else random.Random(0)
         self._tags = Tags()
-        self._texts: list[tuple[Text, tuple[str | Number, ...], Scope]] = []
+        self._answers = Answers()
+        self._texts: list[tuple[Text, commands.AddText, Scope]] = []
         self._top = Scope()
         self._undo: list[Callable[[], object]] | None = []
         """What takes back what was done so far; None once the level is built."""
@@ -95,13 +78,40 @@ class Level:
         """Forces, texts, drawings and events in waiting, for counting them."""
         self._rules = 0
         self._full = False
+        if not built:  # else a saved game says what there is
+            self._build()
+        self._undo = None
+
+    def _build(self) -> None:
         try:
-            self._block(level.commands, self._top)
+            self.listen()
+            self._block(self.script.commands, self._top)
         except BaseException:
             for each in reversed(self._undo or ()):
                 each()
             raise
-        self._undo = None
+
+    def listen(self) -> None:
+        """Be told what the player does and when a picture is drawn; once is enough."""
+        if self.game is not None and self not in self.game.levels:
+            self.game.levels.append(self)
+            self._on_failure(self.ignore)
+            for callbacks, function in self._listeners(self.game):
+                callbacks(function)
+
+    def ignore(self) -> None:
+        """Do nothing more of what the player asks for."""
+        if self.game is not None and self in self.game.levels:
+            self.game.levels.remove(self)
+            for callbacks, function in self._listeners(self.game):
+                callbacks.remove(function)
+
+    def _listeners(self, game: Game) -> tuple[tuple[Callbacks[...], Callable[..., object]], ...]:
+        answers = self._answers
+        return (
+            (game.on_key_press, answers.pressed), (game.on_touch, answers.touched), (game.on_shake, answers.shaken),
+            (game.on_draw, self._refresh),
+        )  # fmt: skip
 
     def __getitem__(self, name: str) -> Any:
         """The body, force or text of that name. Raises KeyError if there is none, or if it is gone."""
@@ -135,11 +145,9 @@ class Level:
     def _refused(self, code: str, message: str, place: commands.Place) -> LevelError:
         return level_error((self.script.diagnostic(code, message, place),))
 
-    def _later(self, block: Block, scope: Scope, **known: Body) -> None:
+    def _inside(self, block: Block, scope: Scope) -> None:
         """Carry out a block in a scope of its own."""
-        inner = Scope(scope)
-        inner.things.update(known)
-        self._block(block, inner)
+        self._block(block, Scope(scope))
 
     def _carry_out(self, command: commands.Command, scope: Scope) -> None:
         match command:
@@ -167,11 +175,11 @@ class Level:
             case commands.Repeat():
                 self._repeat(command, scope)
             case commands.If(condition=condition, then=then, otherwise=otherwise):
-                self._later(then if self._number(condition, scope) else otherwise, scope)
+                self._inside(then if self._number(condition, scope) else otherwise, scope)
             case commands.OnContact():
                 self._on_contact(command, scope)
-            case commands.OnTouch(first=first, block=block) if first is not None:
-                self._on_touch(first, block, scope)
+            case commands.OnTouch(first=first) if first is not None:
+                self._on_touch(command, first, scope)
             case _:
                 if self.game is not None:
                     self._play(command, scope, self.game)
@@ -193,14 +201,12 @@ class Level:
                 self._add_text(command, scope, game)
             case commands.PlaySound() | commands.PlayMusic():
                 self._sound(command, scope, game)
-            case commands.After(seconds=seconds, block=block):
-                event = game.timer.after(self._number(seconds, scope), lambda: self._later(block, scope))
-                self._others.append(event)
-                self._on_failure(event.cancel)
+            case commands.After(seconds=seconds):
+                self._plan(game.timer.after(self._number(seconds, scope), Consequence(self, command, scope)))
             case commands.Every():
                 self._every(command, scope, game)
             case commands.OnKey() | commands.OnShake() | commands.OnTouch():
-                self._on_input(command, scope, game)
+                self._answers.add(Consequence(self, command, scope))
 
     # Values
 
@@ -237,7 +243,7 @@ class Level:
     def _thing(self, called: Called, scope: Scope) -> Thing | None:
         """What a name stands for; None when it is gone, or was never made."""
         thing = scope.things.get(called.name)
-        return thing if thing is not None and thing.alive else None
+        return thing if thing is not None and not isinstance(thing, Gone) and thing.alive else None
 
     # Making and changing
 
@@ -324,10 +330,7 @@ class Level:
         text = game.text(words, **{each.name: self._value(each.value, scope) for each in command.options})
         self._made_thing(text, command.name, scope)
         if any(not isinstance(piece, str) for piece in command.pieces):
-            self._texts.append((text, command.pieces, scope))
-            if len(self._texts) == 1:
-                game.on_draw(self._refresh)
-                self._on_failure(lambda: game.on_draw.remove(self._refresh))
+            self._texts.append((text, command, scope))
 
     def _words(self, pieces: tuple[str | Number, ...], scope: Scope) -> str:
         shown = [each if isinstance(each, str) else f"{self._number(each, scope):.10g}" for each in pieces]
@@ -336,8 +339,8 @@ class Level:
     def _refresh(self) -> None:
         """Show the present numbers in the texts that have some."""
         self._texts = [each for each in self._texts if each[0].alive]
-        for text, pieces, scope in self._texts:
-            text.text = self._words(pieces, scope)
+        for text, command, scope in self._texts:
+            text.text = self._words(command.pieces, scope)
 
     def _set(self, command: commands.SetProperty, scope: Scope) -> None:
         thing: Any = self._thing(command.target, scope)
@@ -368,21 +371,13 @@ class Level:
     def _every(self, command: commands.Every, scope: Scope, game: Game) -> None:
         seconds = self._number(command.seconds, scope)
         times = None if command.times is None else int(self._number(command.times, scope))
-        count = 0
+        rounds = Rounds(self, command, scope, times)
+        rounds.event = self._plan(game.timer.every(seconds, rounds))
 
-        def round_() -> None:
-            nonlocal count
-            count += 1
-            if count == times:
-                event.cancel()
-            inner = Scope(scope)
-            if command.counter:
-                inner.numbers[command.counter] = float(count)
-            self._block(command.block, inner)
-
-        event = game.timer.every(seconds, round_)
+    def _plan(self, event: Event) -> Event:
         self._others.append(event)
         self._on_failure(event.cancel)
+        return event
 
     def _on_contact(self, command: commands.OnContact, scope: Scope) -> None:
         event = "on_collide" if command.begins else "on_separate"
@@ -394,49 +389,15 @@ class Level:
             if not isinstance(thing, Body):
                 return  # nothing will ever meet what is gone
             second = thing
+        self._rule(event, command.first, second, Consequence(self, command, scope))
 
-        def met(this: Body, other: Body) -> None:
-            self._later(command.block, scope, this=this, other=other)
+    def _on_touch(self, command: commands.OnTouch, first: commands.Target, scope: Scope) -> None:
+        self._rule("on_touch", first, None, Consequence(self, command, scope))
 
-        if isinstance(command.first, Tagged):
-            (self._tags.on_collide if command.begins else self._tags.on_separate)(command.first.tag, second, met)
-            return
-        first = self._thing(command.first, scope)
-        if isinstance(first, Body):
-            when_met(first, event, second, met)
-
-    def _on_touch(self, first: commands.Target, block: Block, scope: Scope) -> None:
-        def touched(this: Body) -> None:
-            self._later(block, scope, this=this)
-
+    def _rule(self, event: str, first: commands.Target, second: Body | str | None, then: Consequence) -> None:
         if isinstance(first, Tagged):
-            self._tags.on_touch(first.tag, touched)
+            self._tags.on(Rule(event, first.tag, second, then))
             return
-        body = self._thing(first, scope)
+        body = self._thing(first, then.scope)
         if isinstance(body, Body):
-            when_touched(body, touched)
-
-    def _on_input(
-        self, command: commands.OnKey | commands.OnShake | commands.OnTouch, scope: Scope, game: Game
-    ) -> None:
-        def pressed(key: str) -> None:
-            if isinstance(command, commands.OnKey) and key == command.key:
-                self._later(command.block, scope)
-
-        def touched(touch: Touch) -> None:
-            if touch.phase == "began":
-                self._later(command.block, scope)
-
-        def shaken() -> None:
-            self._later(command.block, scope)
-
-        match command:
-            case commands.OnKey():
-                game.on_key_press(pressed)
-                self._on_failure(lambda: game.on_key_press.remove(pressed))
-            case commands.OnTouch():
-                game.on_touch(touched)
-                self._on_failure(lambda: game.on_touch.remove(touched))
-            case _:
-                game.on_shake(shaken)
-                self._on_failure(lambda: game.on_shake.remove(shaken))
+            Rule(event, None, second, then).watch(body)

@@ -31,10 +31,10 @@ class Drawing:
     StaleReferenceError; `alive` asks first.
     """
 
-    __slots__ = ("__weakref__", "_body", "_generation", "_scene", "_shape", "_slot", "_texture", "_what")
+    __slots__ = ("__weakref__", "_body", "_generation", "_scene", "_shape", "_slot", "_what")
 
     def __init__(
-        self, scene: Scene, handle: tuple[int, int], body: Body | None, shape: ShapeDefinition | Shape
+        self, scene: Scene, handle: tuple[int, int], body: Body | None, shape: ShapeDefinition | Shape | None
     ) -> None:
         self._scene = scene
         self._slot, self._generation = handle
@@ -43,7 +43,6 @@ class Drawing:
         form = shape.definition if isinstance(shape, Shape) else shape
         on = "" if body is None else f" on body {body.tag!r}" if body.tag else f" on body {body.slot}"
         self._what = f"{type(form).__name__ if form is not None else 'Shape'}{on}"
-        self._texture: str | None = None
 
     @property
     def alive(self) -> bool:
@@ -83,14 +82,12 @@ class Drawing:
     @property
     def texture(self) -> str | None:
         """The name of its image, or None."""
-        self._at()
-        return self._texture
+        return self._scene._texture_names.get(self._scene._core.texture(*self._at()))
 
     @texture.setter
     def texture(self, name: str | None) -> None:
         slot, generation = self._at()
         self._scene._core.set_texture(slot, generation, self._scene.texture_id(name, "Drawing"))
-        self._texture = name
 
     @property
     def texture_matrix(self) -> Mat4:

@@ -34,13 +34,23 @@ class DrawnBody(Body):
     def __init__(self, world: World, slot: int, generation: int) -> None:
         super().__init__(world, slot, generation)
         self._drawings: list[Drawing] = []
+        self._restored = -1  # which restore of its scene the drawings have been taken over from
 
     @property
     def drawings(self) -> list[Drawing]:
         """The drawings on this body, in the order they were made: a new list each time."""
         self._require()
-        self._drawings = [drawing for drawing in self._drawings if drawing.alive]
+        self._drawings = [drawing for drawing in self._all_drawings() if drawing.alive]
         return list(self._drawings)
+
+    def _all_drawings(self) -> list[Drawing]:
+        """The list itself; after a restore of the scene, with what that brought."""
+        known = _scenes.get(self.world)
+        scene = known() if known is not None else None
+        if scene is not None and self._restored != scene._restores:
+            self._restored = scene._restores
+            self._drawings = scene._take_restored(self)
+        return self._drawings
 
     def draw(self, shape: ShapeDefinition | Shape | None = None, **looks: Any) -> Drawing:
         """Draw one thing more on this body: `shape`, or one of its own shapes. Left out: all its own; gives the last.

@@ -58,7 +58,14 @@ class Scene:
         self._core = _core.Scene()
         self._textures = textures
         self._fonts = fonts
+        self._texture_names: dict[int, str] = {}
         self._texts: list[Text] = []
+        self._texts_made = 0
+        self._overlay: list[Text] = []
+        self._restores = 0
+        self._restored: dict[
+            tuple[int, int], list[tuple[int, int, int]]
+        ] = {}  # by body, which takes its own when asked
         self._from_palette = 0  # how many drawings took a colour of the palette
         self.background = background
         show(world, self)
@@ -126,12 +133,11 @@ class Scene:
         if image_place is not None:
             core.set_texture_matrix(*handle, image_place)
         drawing = Drawing(self, handle, body, shape)
-        drawing._texture = texture
         moves = body is None or body.kind != "static"
         drawing.outline = plain and moves if outline is None else outline
         self._from_palette += plain and moves
         if isinstance(body, DrawnBody):
-            body._drawings.append(drawing)
+            body._all_drawings().append(drawing)
         return drawing
 
     @known_keywords
@@ -146,11 +152,31 @@ class Scene:
         visible: bool = True,
     ) -> Text:
         """Put a line of text on the screen; see Text. `at` and `size` are logical points."""
-        if self._fonts is None:
-            raise ArgumentError("Scene.text: this scene was given no fonts; Scene(fonts=...) takes them")
-        line = Text(text, at, size, colour, anchor, visible)
+        self._require_fonts("Scene.text")
+        line = Text(text, at, size, colour, anchor, visible, serial=self._texts_made)
+        self._texts_made += 1
         self._texts.append(line)
         return line
+
+    @known_keywords
+    def overlay(
+        self,
+        text: object,
+        *,
+        at: Point = (16.0, 12.0),
+        size: float = 18.0,
+        colour: ColourLike = "white",
+        anchor: str = "top left",
+    ) -> Text:
+        """Put a line of text over everything that is no part of the game: it is not saved with it."""
+        self._require_fonts("Scene.overlay")
+        line = Text(text, at, size, colour, anchor, True)
+        self._overlay.append(line)
+        return line
+
+    def _require_fonts(self, owner: str) -> None:
+        if self._fonts is None:
+            raise ArgumentError(f"{owner}: this scene was given no fonts; Scene(fonts=...) takes them")
 
     def collect(
         self,
@@ -175,7 +201,8 @@ class Scene:
         if self.debug:
             self.debug_view.draw(self._core, self.world, self._fonts, view, alpha, screen, scale)
         self._texts = [text for text in self._texts if text.alive]
-        for text in self._texts:
+        self._overlay = [text for text in self._overlay if text.alive]
+        for text in (*self._texts, *self._overlay):
             if text.visible and self._fonts is not None:
                 text.draw(self._core, self._fonts, screen, scale)
         return DrawList(screen, self._background.rgba8, content)
@@ -190,7 +217,19 @@ class Scene:
             raise ArgumentError(
                 f"{owner}: texture={name!r}: this scene was given no images; Scene(textures=...) takes them"
             )
-        return self._textures(name)
+        texture = self._textures(name)
+        self._texture_names[texture] = name
+        return texture
+
+    def _take_restored(self, body: DrawnBody) -> list[Drawing]:
+        """The drawings that the last restore put on `body`."""
+        return [self._drawing(*row) for row in self._restored.pop((body.slot, body.generation), ())]
+
+    def _drawing(self, slot: int, body: int, shape: int) -> Drawing:
+        """The handle of the drawing in a slot, on these slots of the world."""
+        on = None if body == _core.NO_SLOT else self.world._body(body)
+        what = None if shape == _core.NO_SLOT else self.world._shape(shape)
+        return Drawing(self, (slot, self._core.generation(slot)), on, what)
 
     def _what(self, shape: Any, body: Any) -> tuple[ShapeDefinition | Shape, Body | None]:
         """What `add` shall show, and the body that it is on."""

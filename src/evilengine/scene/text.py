@@ -44,10 +44,15 @@ class Text:
     text's own top right corner 16 points from that corner of the screen, whatever the size of either.
     """
 
-    __slots__ = ("_alive", "_anchor", "_at", "_boxes", "_colour", "_drawn", "_extent", "_size", "_text", "visible")
+    __slots__ = (
+        "_alive", "_anchor", "_at", "_boxes", "_colour", "_drawn", "_extent", "_serial", "_size", "_text", "visible",
+    )  # fmt: skip
 
-    def __init__(self, text: object, at: Point, size: float, colour: ColourLike, anchor: str, visible: bool) -> None:
+    def __init__(
+        self, text: object, at: Point, size: float, colour: ColourLike, anchor: str, visible: bool, serial: int = -1
+    ) -> None:
         self._alive = True
+        self._serial = serial  # order of creation in its scene, never used again
         self._drawn: tuple[str, int, float] | None = None  # text, font size and alignment that _boxes were made for
         self._boxes = b""
         self._extent = (0.0, 0.0)

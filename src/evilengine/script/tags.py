@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, TypeAlias
 
+from evilengine.values.inputs import Touch
 from evilengine.world.body import Body
 
 if TYPE_CHECKING:
-    from evilengine.values.inputs import Touch
     from evilengine.world.contacts import Contact
 
 Met: TypeAlias = Callable[[Body, Body], object]
@@ -30,17 +30,18 @@ class Tags:
     """
 
     def __init__(self) -> None:
-        self._bodies: list[Body] = []
-        self._rules: list[tuple[str, Callable[[Body], None]]] = []
+        self.bodies: list[Body] = []
+        """Those that carry a tag, in the order in which they got it."""
+        self.rules: list[Rule] = []
 
     def add(self, body: Body) -> Body:
         """Let every rule for the body's tag, present and to come, hold for it too; returns it."""
         if body.tag:
-            self._bodies = [each for each in self._bodies if each.alive]
-            self._bodies.append(body)
-            for tag, watch in self._rules:
-                if tag == body.tag:
-                    watch(body)
+            self.bodies = [each for each in self.bodies if each.alive]
+            self.bodies.append(body)
+            for rule in self.rules:
+                if rule.tag == body.tag:
+                    rule.watch(body)
         return body
 
     def change(self, body: Body, tag: str) -> None:
@@ -51,55 +52,74 @@ class Tags:
 
     def on_collide(self, first: str, second: Body | str | None, met: Met) -> None:
         """Call `met(this, other)` when contact begins of a body tagged `first` with `second` (None: with any)."""
-        self._on_contact("on_collide", first, second, met)
+        self.on(Rule("on_collide", first, second, met))
 
     def on_separate(self, first: str, second: Body | str | None, met: Met) -> None:
         """As `on_collide`, when contact ends."""
-        self._on_contact("on_separate", first, second, met)
+        self.on(Rule("on_separate", first, second, met))
 
     def on_touch(self, first: str, touched: Touched) -> None:
         """Call `touched(this)` when a finger presses a body tagged `first`."""
-        self._on(first, lambda body: when_touched(body, touched, first))
+        self.on(Rule("on_touch", first, None, touched))
 
-    def _on_contact(self, event: str, first: str, second: Body | str | None, met: Met) -> None:
-        self._on(first, lambda body: when_met(body, event, second, met, first))
-
-    def _on(self, tag: str, watch: Callable[[Body], None]) -> None:
-        self._rules.append((tag, watch))
-        watched: set[Body] = set()
-        for body in self._bodies:
-            if body.alive and body.tag == tag and body not in watched:
-                watched.add(body)
-                watch(body)
+    def on(self, rule: Rule) -> None:
+        """Let `rule` hold for every body with its tag, present and to come."""
+        self.rules.append(rule)
+        for body in self.bodies:
+            if body.alive and body.tag == rule.tag:
+                rule.watch(body)
 
 
-def when_met(this: Body, event: str, second: Body | str | None, met: Met, tag: str | None = None) -> None:
-    """Call `met(this, other)` on `event` ("on_collide" or "on_separate") of `this` with `second`: a body, a tag, any.
+class Rule:
+    """What happens on an event ("on_collide", "on_separate", "on_touch") of the bodies that it watches.
 
-    With `tag`, only as long as `this` carries it.
+    With a `tag`, it holds for a body only as long as that carries it. `second` is whom a contact must be with: a body,
+    a tag, or None for anybody.
     """
 
-    def told(contact: Contact) -> None:
-        other = contact.other(this)
-        if tag is not None and this.tag != tag:
+    __slots__ = ("call", "event", "second", "tag")
+
+    def __init__(self, event: str, tag: str | None, second: Body | str | None, call: Met | Touched) -> None:
+        self.event = event
+        self.tag = tag
+        self.second = second
+        self.call: Callable[..., object] = call
+
+    def watch(self, body: Body) -> None:
+        """Hold for `body` from now on. Watching what is watched already changes nothing."""
+        callbacks = getattr(body, self.event)
+        if not any(isinstance(each, Told) and each.rule is self for each in callbacks):
+            callbacks(Told(self, body))
+
+
+class Told:
+    """A rule on one of its bodies: the function that the body calls."""
+
+    __slots__ = ("rule", "this")
+
+    def __init__(self, rule: Rule, this: Body) -> None:
+        self.rule = rule
+        self.this = this
+
+    def __call__(self, happened: Contact | Touch) -> None:
+        rule, this = self.rule, self.this
+        if rule.tag is not None and this.tag != rule.tag:
             return
-        if isinstance(second, str):
-            if not other.alive or other.tag != second:
+        if isinstance(happened, Touch):
+            if happened.phase == "began":
+                rule.call(this)
+            return
+        other = happened.other(this)
+        if isinstance(rule.second, str):
+            if not other.alive or other.tag != rule.second:
                 return
-            if second == tag and contact.a != this:
+            if rule.second == rule.tag and happened.a != this:
                 return  # both carry it and both are told; once is enough
-        elif second is not None and other != second:
+        elif rule.second is not None and other != rule.second:
             return
-        met(this, other)
-
-    getattr(this, event)(told)
+        rule.call(this, other)
 
 
-def when_touched(this: Body, touched: Touched, tag: str | None = None) -> None:
-    """Call `touched(this)` when a finger presses `this`; with `tag`, only as long as it carries it."""
-
-    def told(touch: Touch) -> None:
-        if touch.phase == "began" and (tag is None or this.tag == tag):
-            touched(this)
-
-    this.on_touch(told)
+def when_met(this: Body, event: str, second: Body | str | None, met: Met) -> None:
+    """Call `met(this, other)` on `event` ("on_collide", "on_separate") of `this` with `second`: a body, a tag, any."""
+    Rule(event, None, second, met).watch(this)

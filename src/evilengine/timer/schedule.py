@@ -85,6 +85,11 @@ class Schedule:
         """How many events wait."""
         return len(self._heap)
 
+    @property
+    def events(self) -> tuple[Event, ...]:
+        """The events that wait, in the order in which they will happen."""
+        return tuple(event for _, _, event in sorted(self._heap, key=lambda entry: entry[:2]))
+
     @known_keywords
     def after(self, seconds: float, call: Callback) -> Event:
         """Call `call()` once, `seconds` from now (0 or more; 0 is the next step)."""

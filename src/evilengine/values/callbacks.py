@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any, Generic, ParamSpec, TypeVar
 
 from evilengine.values.errors import ArgumentTypeError
@@ -56,6 +56,10 @@ class Callbacks(Generic[P]):
     def __len__(self) -> int:
         """How many functions will be called."""
         return len(self._functions)
+
+    def __iter__(self) -> Iterator[Callable[..., Any]]:
+        """The functions that will be called, in their order."""
+        return iter(tuple(self._functions))
 
     def run(self, *args: P.args, **kwargs: P.kwargs) -> None:
         """Call them. One that is removed meanwhile is not called, one that is added meanwhile is called from next time.

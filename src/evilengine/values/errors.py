@@ -52,5 +52,9 @@ class SaveError(Error, OSError):
     """A saved game that cannot be written or read."""
 
 
+class DamagedSaveError(SaveError):
+    """A saved game or a recording whose bytes are not as they were written: cut, changed, or another kind of file."""
+
+
 class DeviceError(Error, OSError):
     """A window, driver or input device that could not be had."""

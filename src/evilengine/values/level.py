@@ -7,6 +7,7 @@ A number in them is a float, or a name or formula whose value is known only whil
 from __future__ import annotations
 
 import unicodedata
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -423,7 +424,24 @@ class LevelScript:
     lines: tuple[str, ...] = ()
     """The source, for showing where something went wrong while the level plays."""
 
+    @property
+    def text(self) -> str:
+        """The source, from which the same commands are read again."""
+        return "\n".join(self.lines)
+
+    @property
+    def numbered(self) -> tuple[Command, ...]:
+        """Every command, those in blocks too, in the order in which they are written."""
+        return tuple(_walk(self.commands))
+
     def diagnostic(self, code: str, message: str, place: Place, suggestion: str = "") -> Diagnostic:
         """A diagnostic at `place` of this level."""
         source = self.lines[place.line - 1] if 0 < place.line <= len(self.lines) else ""
         return Diagnostic(code, message, self.file, place.line, place.column, place.length, suggestion, source)
+
+
+def _walk(block: Block) -> Iterator[Command]:
+    for command in block:
+        yield command
+        for inner in ("block", "then", "otherwise"):
+            yield from _walk(getattr(command, inner, ()))

@@ -28,6 +28,17 @@ def note_python_forces(world: World) -> None:
             force._handle().note = force._note()
 
 
+def become(world: World, saved: _core.Saved) -> None:
+    """Become what was read, whose notes were checked."""
+    world._core.restore(saved)
+    world._forces = forces_now(world)
+    world._handles = {slot: body for slot, body in world._handles.items() if body.alive}
+    world._shape_handles = {slot: shape for slot, shape in world._shape_handles.items() if shape.alive}
+    world._motions = {slot: pair for slot, pair in world._motions.items() if pair[0].alive}
+    for body in world._handles.values():
+        body._tag = body._tag  # the handle's own copy, for its epitaph
+
+
 def forces_now(world: World) -> dict[int, Force]:
     """An object for each force of the core: the one that was there, or a new one."""
     forces = {}
@@ -60,11 +71,8 @@ def python_kind(module: str, name: str) -> type[Force]:
 
     Only among modules that the program has imported itself: bytes from a stranger must not make it import others.
     """
-    try:
-        kind = functools.reduce(getattr, name.split("."), sys.modules[module])
-    except (KeyError, AttributeError):
-        kind = None
-    if not (isinstance(kind, type) and issubclass(kind, Force)):
+    kind = _kind_called(module, name)
+    if kind is None:
         raise SnapshotError(
             f"World.restore: the force {module}.{name} of this snapshot cannot be found;"
             " define it at the top of a module and import that module first"
@@ -83,6 +91,14 @@ def parts_of(note: str) -> tuple[str, str, dict[str, Any]]:
     return module, name, state
 
 
+def _kind_called(module: str, name: str) -> type[Force] | None:
+    try:
+        kind = functools.reduce(getattr, name.split("."), sys.modules[module])
+    except (KeyError, AttributeError):
+        return None
+    return kind if isinstance(kind, type) and issubclass(kind, Force) else None
+
+
 def names_of(kind: type[Force]) -> tuple[str, str]:
     """How a class is found again: its module and its name there."""
     return kind.__module__, kind.__qualname__
@@ -95,3 +111,10 @@ def check_notes(world: World, notes: list[str]) -> None:
         module, name, _ = parts_of(note)
         if (module, name) not in here:
             python_kind(module, name)
+
+
+def check_python_forces(world: World) -> None:
+    """Refuse forces written in Python whose class could not be found again by name. Raises SnapshotError."""
+    for force in world.forces:
+        if force._kind == kinds.PYTHON and _kind_called(*names_of(type(force))) is not type(force):
+            raise SnapshotError(f"{force!r} cannot be saved: define {type(force).__qualname__} at the top of a module")

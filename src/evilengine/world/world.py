@@ -334,13 +334,7 @@ class World:
             raise ArgumentTypeError(f"World.restore: data must be the bytes of a snapshot; got {type(data).__name__}")
         saved = _core.Saved(bytes(data))
         saving.check_notes(self, saved.notes)
-        self._core.restore(saved)
-        self._forces = saving.forces_now(self)
-        self._handles = {slot: body for slot, body in self._handles.items() if body.alive}
-        self._shape_handles = {slot: shape for slot, shape in self._shape_handles.items() if shape.alive}
-        self._motions = {slot: pair for slot, pair in self._motions.items() if pair[0].alive}
-        for body in self._handles.values():
-            body._tag = body._tag  # the handle's own copy, for its epitaph
+        saving.become(self, saved)
 
     # -- handles --
 

@@ -1,0 +1,105 @@
+#pragma once
+// Which fields the State of a world has, for whoever writes, reads or sums it.
+#include "archive.hpp"
+#include "world.hpp"
+
+namespace evil {
+
+// ---- fields, in one place for both directions (archives find them by their argument) ---
+
+template <class A, Like<std::string> V> void visit(A& ar, V& text) {
+    std::size_t n = ar.count(text.size());
+    if constexpr (A::reading) text.resize(n);
+    for (auto& c : text) ar.value(c);
+}
+
+template <class A, class Element> void visit(A& ar, std::vector<Element>& list);
+template <class A, class Element> void visit(A& ar, const std::vector<Element>& list);
+
+template <class A, Like<Body> V> void visit(A& ar, V& b) {
+    visit(ar, b.kind, b.bullet, b.touchable, b.awake, b.pose, b.angle, b.scale, b.centre, b.local_centre, b.velocity,
+          b.spin, b.force, b.torque, b.acceleration, b.mass, b.inv_mass, b.inertia, b.inv_inertia, b.set_mass,
+          b.damping, b.angular_damping, b.drag, b.gravity_scale, b.density, b.friction, b.restitution, b.still_time,
+          b.serial, b.born, b.first_shape, b.last_shape);
+}
+
+template <class A, Like<Shape> V> void visit(A& ar, V& s) {
+    visit(ar, s.kind, s.body, s.next, s.first_piece, s.local, s.radius, s.mass, s.material.density, s.material.friction,
+          s.material.restitution, s.serial, s.born);
+}
+
+template <class A, Like<ManifoldPoint> V> void visit(A& ar, V& p) {
+    visit(ar, p.anchor_a, p.anchor_b, p.separation, p.normal_impulse, p.tangent_impulse, p.total_impulse,
+          p.closing_speed, p.id);
+}
+
+template <class A, Like<Contact> V> void visit(A& ar, V& c) {
+    visit(ar, c.piece_a, c.piece_b, c.shape_a, c.shape_b, c.body_a, c.body_b, c.axis.edge, c.axis.of_b, c.axis.known,
+          c.count, c.touching, c.normal, c.friction, c.restitution, c.points[0], c.points[1]);
+}
+
+template <class A, Like<Touch> V> void visit(A& ar, V& t) { // references by slot; generations are a process's own
+    visit(ar, t.a.slot, t.b.slot, t.shape_a.slot, t.shape_b.slot, t.order[0], t.order[1], t.order[2], t.order[3],
+          t.gone, t.point, t.normal, t.depth, t.impulse, t.speed);
+}
+
+template <class A, Like<Force> V> void visit(A& ar, V& f) {
+    visit(ar, f.kind, f.everywhere, f.vector, f.anchor, f.at_anchor, f.target, f.stiffness, f.rest_length, f.damping,
+          f.linear, f.quadratic, f.limit, f.serial, f.born);
+    visit(ar, f.bodies);
+    visit(ar, f.note);
+}
+
+template <class A, Like<Area> V> void visit(A& ar, V& a) {
+    visit(ar, a.centre, a.radius);
+    visit(ar, a.parts);
+}
+
+template <class A, class Element> void visit(A& ar, std::vector<Element>& list) {
+    list.resize(ar.count());
+    for (auto& element : list) visit(ar, element);
+}
+template <class A, class Element> void visit(A& ar, const std::vector<Element>& list) {
+    ar.count(list.size());
+    for (auto& element : list) visit(ar, element);
+}
+
+// ---- tables: only taken slots, each with its number ------------------------------------------------------------
+
+inline void write_table(auto& ar, const Slots& slots, auto&& write_row) {
+    ar.count(slots.count());
+    for (std::uint32_t slot = 0; slot < slots.size(); ++slot) {
+        if (!slots.taken(slot)) continue;
+        ar.value(slot);
+        write_row(slot);
+    }
+}
+
+inline void write_bodies(auto& ar, const World& w) {
+    write_table(ar, w.bodies.slots, [&](std::uint32_t slot) {
+        visit(ar, w.bodies.rows[slot]);
+        visit(ar, w.bodies.tags[slot]);
+    });
+    write_table(ar, w.shapes.slots, [&](std::uint32_t slot) {
+        visit(ar, w.shapes.rows[slot]);
+        visit(ar, w.shapes.corners[slot]);
+        visit(ar, w.shapes.parts[slot]);
+    });
+    write_table(ar, w.shapes.piece_slots, [&](std::uint32_t slot) { // the rest of a piece follows from its shape
+        visit(ar, w.shapes.pieces[slot].shape, w.shapes.pieces[slot].next);
+    });
+}
+
+inline void write_forces(auto& ar, const World& w) {
+    write_table(ar, w.forces.slots, [&](std::uint32_t slot) {
+        visit(ar, w.forces.rows[slot]);
+        visit(ar, w.forces.areas[slot]);
+    });
+}
+
+inline void write_contacts(auto& ar, const World& w) {
+    visit(ar, w.contacts.rows);
+    visit(ar, w.contacts.touches);
+}
+
+} // namespace evil

@@ -1,0 +1,219 @@
+"""What a saved game holds, and the game that comes of it (SPEC A9): every module's own state, side by side.
+
+Resuming reads and checks everything first. Only when all of it is sound does anything of the game change.
+"""
+
+from __future__ import annotations
+
+import json
+import random
+import struct
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from evilengine import _core
+from evilengine.level.rules import Rounds
+from evilengine.level.saving import LevelState, LevelWriter, reference
+from evilengine.save import Container, Slots
+from evilengine.save import inputs as inputs_code
+from evilengine.save.container import Sections
+from evilengine.scene import saving as scenes
+from evilengine.timer import saving as timers
+from evilengine.values.errors import Error, SaveError, SnapshotError
+from evilengine.values.vec2 import to_vec2
+from evilengine.values.version import VERSION
+from evilengine.world import behaviours
+from evilengine.world import saving as worlds
+
+if TYPE_CHECKING:
+    from evilengine.game.game import Game
+
+SAVED_GAME = Container(b"EVILSAVE", "a saved game", 0, {})
+
+_RANDOM = struct.Struct("<625I?d")
+
+NOT_SOUND = (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError, struct.error)
+"""What reading a state raises that no game has written."""
+
+
+def save(game: Game, slots: Slots, path: Path) -> None:
+    """Write the game into a slot."""
+    slots.write(path, to_bytes(game), lambda data: SAVED_GAME.read(data, path.name))
+
+
+def resume(game: Game, slots: Slots, path: Path) -> None:
+    """Read the game from a slot."""
+    sections = slots.read(path, SAVED_GAME.read)
+    _become(game, sections, path.name)
+
+
+def to_bytes(game: Game) -> bytes:
+    """The game as it is now. Raises SaveError for functions that have no name, and says which."""
+    try:
+        worlds.check_python_forces(game.world)
+        world = game.world.snapshot()
+    except SnapshotError as problem:
+        raise SaveError(f"Game.save: {problem}") from problem
+    levels = [LevelWriter(level) for level in game.levels]
+
+    def name_of(function: Callable[..., Any], where: str) -> Any:
+        for number, level in enumerate(levels):
+            name = level.name_of(function)
+            if name is not None:
+                return {"level": number, **name}
+        return _method(function) or game._functions.name_of(function, f"Game.save: {where}")
+
+    drawings, scene = scenes.state_of(game.scene)
+    tilted = None if game._tilted is None else [list(each) for each in game._tilted]
+    rest = {
+        "title": game.title,
+        "engine": VERSION,
+        "tilt": game.tilt,
+        "paused": game.paused,
+        "tilted": tilted,
+        "strength": game._strength,
+        "camera": scenes.camera_state(game.camera),
+        "scene": scene,
+        "timer": timers.state_of(game.timer, lambda call, where: name_of(call, f"game.timer, {where}")),
+        "behaviours": behaviours.state_of(game.world, name_of),
+        "interaction": game._interaction.state(),
+        "grabs": game._grabs.state(),
+    }
+    rest["levels"] = [level.state() for level in levels]  # last: the others name what is in them
+    return SAVED_GAME.write(
+        {
+            "game": json.dumps(rest, allow_nan=False, separators=(",", ":"), sort_keys=True).encode(),
+            "world": world,
+            "drawings": drawings,
+            "random": _random_state(game),
+            "inputs": inputs_code.encode(game.inputs),
+        }
+    )
+
+
+def from_bytes(game: Game, data: bytes, name: str) -> None:
+    """Become the game that `data` holds: wholly, or SaveError is raised and the game is as it was."""
+    _become(game, SAVED_GAME.read(data, name), name)
+
+
+def _become(game: Game, sections: Sections, name: str) -> None:
+    try:
+        put = _read(game, sections)
+    except SaveError as problem:
+        raise SaveError(f"Game.resume: {name}: {problem}") from problem
+    except (SnapshotError, *NOT_SOUND) as problem:
+        raise SaveError(f"Game.resume: {name} contradicts itself: {problem}") from problem
+    except Error as problem:
+        raise SaveError(f"Game.resume: {name}: {problem}") from problem
+    put()
+
+
+def _read(game: Game, sections: Sections) -> Callable[[], None]:
+    state = json.loads(sections["game"])
+    world = _core.Saved(sections["world"])
+    worlds.check_notes(game.world, world.notes)
+    bodies, shapes, forces = (set(slots) for slots in world.slots)
+    scene = scenes.SceneState(game.scene, sections["drawings"], state["scene"])
+    none = _core.NO_SLOT
+    if not all(body in bodies | {none} and shape in shapes | {none} for _, body, shape in scene.places):
+        raise ValueError("drawings on what is not there")
+    events = {row[0] for row in state["timer"]["events"]}
+    known = {"body": bodies, "force": forces, "drawing": scene.slots, "text": scene.texts, "event": events}
+    present = [*game.levels, *[None] * len(state["levels"])]
+    levels = [LevelState(game, each, known, present[n]) for n, each in enumerate(state["levels"])]
+    handles: list[tuple[_Later, list[Any]]] = []
+
+    def find(name: Any, body: int | None = None) -> Callable[..., Any]:
+        match name:
+            case str():
+                return game._functions.find(name)
+            case {"level": int(number), **rest}:
+                return levels[number].find({str(kind): row for kind, row in rest.items()}, body)
+        raise ValueError(f"{name!r} is no function")
+
+    def find_for_timer(name: Any) -> Callable[..., Any]:
+        match name:
+            case {"destroy": [str(kind), int(number)]} if number in known[kind]:
+                later = _Later()
+                handles.append((later, [kind, number]))
+                return later
+        return find(name)
+
+    timer = timers.read(game.timer, state["timer"], find_for_timer)
+    on_bodies = behaviours.read(game.world, state["behaviours"], find, bodies)
+    interaction = game._interaction.read(state["interaction"])
+    grabs = game._grabs.read(state["grabs"], game.world, bodies)
+    camera = scenes.read_camera(game.camera, state["camera"])
+    dice, inputs = _read_random(sections["random"]), inputs_code.decode(sections["inputs"])
+    tilted = None
+    if state["tilted"] is not None:
+        direction, gravity = (to_vec2(each, "game", "tilted") for each in state["tilted"])
+        tilted = (direction, gravity)
+    tilt, paused, strength = bool(state["tilt"]), bool(state["paused"]), float(state["strength"])
+
+    def put() -> None:
+        worlds.become(game.world, world)
+        scene.put()
+        on_bodies()
+        timer()
+        waiting = {event._order: event for event in game.timer.events}
+        things: dict[str, Callable[[int], Any]] = {
+            "body": game.world._body,
+            "force": game.world._forces.__getitem__,
+            "drawing": scene.drawing,
+            "text": scene.text,
+            "event": waiting.__getitem__,
+        }
+        for later, (kind, number) in handles:
+            later.call = things[kind](number).destroy
+        for event in waiting.values():
+            if isinstance(event._call, _Later):
+                event._call = event._call.call
+            if isinstance(event._call, Rounds):
+                event._call.event = event
+        for level in tuple(game.levels):
+            if level not in [each.level for each in levels]:
+                level.ignore()
+        for each in levels:
+            each.put(things)
+        interaction()
+        grabs()
+        camera()
+        game.random.setstate(dice)
+        game._inputs, game._alpha = inputs, 1.0
+        game.tilt, game.paused, game._tilted, game._strength = tilt, paused, tilted, strength
+
+    return put
+
+
+class _Later:
+    """Stands for a function until what it belongs to is there."""
+
+    def __init__(self) -> None:
+        self.call: Callable[..., Any] = self
+
+    def __call__(self) -> None: ...
+
+
+def _random_state(game: Game) -> bytes:
+    version, words, spare = game.random.getstate()
+    if version != 3:
+        raise SaveError("Game.save: game.random is no random.Random that this engine knows how to keep")
+    return _RANDOM.pack(*words, spare is not None, 0.0 if spare is None else spare)
+
+
+def _read_random(data: bytes) -> tuple[Any, ...]:
+    *words, has_spare, spare = _RANDOM.unpack(data)
+    state = (3, tuple(words), spare if has_spare else None)
+    random.Random().setstate(state)  # raises ValueError for what is no state
+    return state
+
+
+def _method(function: Callable[..., Any]) -> dict[str, Any] | None:
+    """What a saved game calls `body.destroy` and its like, which people plan for later."""
+    owner = getattr(function, "__self__", None)
+    if getattr(function, "__name__", "") != "destroy" or not getattr(owner, "alive", False):
+        return None
+    found = reference(owner)
+    return None if found is None else {"destroy": found}

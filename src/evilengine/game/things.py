@@ -1,0 +1,125 @@
+"""What a game is made of: bodies that are seen, drawings, text, levels and images."""
+
+from __future__ import annotations
+
+import inspect
+from pathlib import Path, PurePath
+from typing import TYPE_CHECKING, Any, cast
+
+from evilengine.assets import Pictures
+from evilengine.scene import LOOKS, Camera, Drawing, DrawnBody, Scene, Text
+from evilengine.scene.camera import POINTS_A_METRE
+from evilengine.scene.drawing import DEEPEST_LAYER
+from evilengine.values.checks import did_you_mean, known_keywords, number
+from evilengine.values.colour import ColourLike
+from evilengine.values.errors import ArgumentTypeError, AssetError
+from evilengine.world.shapes import Rectangle
+from evilengine.world.world import World
+
+if TYPE_CHECKING:
+    from evilengine.game.game import Game
+    from evilengine.level import Level
+
+_BODY_OPTIONS = frozenset(inspect.signature(World.add).parameters) - {"self", "shape"}
+
+
+class Things:
+    """The part of a game that things are added to."""
+
+    world: World
+    scene: Scene
+    camera: Camera
+    folder: Path
+    _pictures: Pictures
+
+    def add(self, shape: Any, **options: Any) -> DrawnBody:
+        """Add a body that is seen: everything that `world.add` takes, and the looks that `body.draw` takes.
+
+        >>> game = evil.Game(headless=True)
+        >>> crate = game.add(evil.Rectangle(1, 1), at=(0, 4), friction=0.8, colour="#c96")
+        >>> crate.drawings[0].colour.hex
+        '#cc9966'
+        """
+        looks = {word: options.pop(word) for word in LOOKS if word in options}
+        unknown = next((word for word in options if word not in _BODY_OPTIONS), None)
+        if unknown is not None:
+            words = sorted(_BODY_OPTIONS | LOOKS)
+            raise ArgumentTypeError(
+                f"Game.add() got an unknown argument {unknown}={options[unknown]!r}{did_you_mean(unknown, words)}"
+                f"; it takes {', '.join(words)}"
+            )
+        body = cast(DrawnBody, self.world.add(shape, **options))
+        try:
+            body.draw(**looks)
+        except BaseException:
+            self.world._take_back(body)
+            raise
+        return body
+
+    def draw(self, shape: Any, **options: Any) -> Drawing:
+        """Draw a shape that takes no part in the physics."""
+        return self.scene.add(shape, **options)
+
+    def sprite(self, image: str, *, height: float | None = None, **options: Any) -> Drawing:
+        """Draw the image called `image`, `height` metres high or as large as it is: 50 logical points a metre.
+
+        Takes what `draw` takes; with `body=` it is drawn on that body, moves with it and stays out of the physics.
+        """
+        width, points = self._pictures.size(image)
+        high = points / POINTS_A_METRE if height is None else number(height, "Game.sprite", "height", above=0.0)
+        return self.scene.add(Rectangle(high * width / points, high), texture=image, **options)
+
+    def text(self, text: str, **options: Any) -> Text:
+        """Put a line of text on the screen, `at` logical points from its top left corner."""
+        return self.scene.text(text, **options)
+
+    @known_keywords
+    def add_background(self, what: ColourLike) -> Drawing | None:
+        """Set what lies behind everything: a colour, or an image by its file name, which covers what the camera shows.
+
+        The image is a Drawing in the deepest layer and stays where it is in the world; a colour gives None.
+        """
+        if not (isinstance(what, str) and PurePath(what).suffix):
+            self.scene.background = what
+            return None
+        width, height = self._pictures.size(what)
+        across, up = (side / self.camera.points_a_metre for side in self.camera.size)
+        metres = max(across / width, up / height)  # a pixel of it: as small as covers the screen both ways
+        shape = Rectangle(width * metres, height * metres)
+        return self.scene.add(shape, at=self.camera.position, texture=what, layer=-DEEPEST_LAYER)
+
+    @known_keywords
+    def load(self, path: str | Path) -> Level:
+        """Build a level script into this game and return the level, whose things have names: `level["ball"]`.
+
+        Raises LevelError with all its errors, AssetError if it is missing; nothing is added then.
+        """
+        from evilengine import level  # games without levels need no parser
+
+        return level.load(cast("Game", self), self.find(path))
+
+    @known_keywords
+    def find(self, name: str | Path) -> Path:
+        """The file called `name`, in the game's folder or in the current one. Raises AssetError if it is in neither."""
+        if not isinstance(name, (str, PurePath)):
+            raise ArgumentTypeError(f"Game: {name!r} must be the name of a file")
+        for folder in (self.folder, Path.cwd()):
+            if (folder / name).is_file():
+                return folder / name
+        raise AssetError(f"Game: there is no file {str(name)!r} in {self.folder} or in the current folder")
+
+    def reload_images(self) -> list[str]:
+        """Show the images whose files have changed as they are now; `evil play` asks for it while it plays.
+
+        An image that cannot be read any more stays as it was, and a line in the list says why.
+        """
+        return self._pictures.reload()
+
+    @property
+    def debug(self) -> bool:
+        """Is the debug view on: outlines, contact normals as arrows, the arrow of gravity (SPEC G12)?"""
+        return self.scene.debug
+
+    @debug.setter
+    def debug(self, on: bool) -> None:
+        self.scene.debug = bool(on)

@@ -1,0 +1,135 @@
+"""What a saved game keeps of a scene, and the scene that comes of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from evilengine import _core
+from evilengine.scene.camera import Camera
+from evilengine.scene.drawing import Drawing
+from evilengine.scene.text import Text
+from evilengine.values.colour import Colour
+
+if TYPE_CHECKING:
+    from evilengine.scene.scene import Scene
+
+
+def state_of(scene: Scene) -> tuple[bytes, dict[str, Any]]:
+    """Every drawing as bytes, and the rest: names of images, background, texts."""
+    drawings, textures = scene._core.snapshot(scene.world._core)
+    texts = [
+        [text._serial, text.text, list(text.at), text.size, list(text.colour), text.anchor, bool(text.visible)]
+        for text in scene._texts
+        if text.alive
+    ]
+    rest = {
+        "textures": [scene._texture_names[texture] for texture in textures],
+        "background": list(scene.background),
+        "from_palette": scene._from_palette,
+        "texts": texts,
+        "texts_made": scene._texts_made,
+    }
+    return drawings, rest
+
+
+class SceneState:
+    """A scene that was read, and what it would become; nothing has changed before `put`.
+
+    Raises AssetError for images that are not to be had, and ValueError, TypeError or KeyError for what is no scene.
+    """
+
+    def __init__(self, scene: Scene, drawings: bytes, rest: dict[str, Any]) -> None:
+        self._scene = scene
+        self._drawings = _core.SavedScene(drawings)
+        self.places = self._drawings.places
+        """(slot, slot of the body, slot of the shape) of each drawing, in the order of creation."""
+        self._by_slot = {slot: (body, shape) for slot, body, shape in self.places}
+        self._textures = [scene.texture_id(str(name), "Scene.restore") for name in rest["textures"]]
+        if len(self._textures) != self._drawings.textures:
+            raise ValueError("an image for each texture")
+        self._background = Colour(*rest["background"])
+        self._from_palette = int(rest["from_palette"])
+        self._texts_made = int(rest["texts_made"])
+        self._texts = {int(row[0]): _text(row) for row in rest["texts"]}
+
+    @property
+    def slots(self) -> set[int]:
+        """The slots in which there will be drawings."""
+        return set(self._by_slot)
+
+    @property
+    def texts(self) -> set[int]:
+        """The serial numbers of the texts that there will be."""
+        return set(self._texts)
+
+    def put(self) -> None:
+        """Become what was saved. The world must have been restored, and be one in which `places` is true.
+
+        Handles of drawings and texts that are the same before and after stay good.
+        """
+        scene = self._scene
+        scene._core.restore(self._drawings, scene.world._core, self._textures)
+        scene.background = self._background
+        scene._from_palette = self._from_palette
+        self._put_drawings()
+        self._put_texts()
+
+    def drawing(self, slot: int) -> Drawing:
+        """The drawing in a slot, after `put`."""
+        return self._scene._drawing(slot, *self._by_slot[slot])
+
+    def text(self, serial: int) -> Text:
+        """The text of that number, after `put`."""
+        return next(text for text in self._scene._texts if text._serial == serial)
+
+    def _put_drawings(self) -> None:
+        scene = self._scene
+        scene._restores += 1
+        scene._restored = {}
+        generation = scene.world._core.body_generation
+        for slot, body, shape in self.places:
+            if body != _core.NO_SLOT:
+                scene._restored.setdefault((body, generation(body)), []).append((slot, body, shape))
+
+    def _put_texts(self) -> None:
+        scene, texts = self._scene, []
+        known = {text._serial: text for text in scene._texts if text.alive}
+        for serial, saved in self._texts.items():
+            text = known.pop(serial, saved)
+            for part in ("text", "at", "size", "colour", "anchor", "visible"):
+                setattr(text, part, getattr(saved, part))
+            texts.append(text)
+        for text in known.values():
+            text.destroy()
+        scene._texts, scene._texts_made = texts, self._texts_made
+
+
+def camera_state(camera: Camera) -> dict[str, Any]:
+    """What a saved game keeps of a camera; the size of the screen is the device's."""
+    return {
+        "position": list(camera.position), "zoom": camera.zoom, "angle": camera.angle,
+        "fit": None if camera._fit is None else list(camera._fit),
+    }  # fmt: skip
+
+
+def read_camera(camera: Camera, state: dict[str, Any]) -> Callable[[], None]:
+    """Read what `camera_state` gave, and return what puts it in place."""
+    read = Camera(position=state["position"], zoom=state["zoom"], angle=state["angle"])
+    if state["fit"] is not None:
+        width, height = state["fit"]
+        if width:
+            read.fit(width, height)
+        else:
+            read.view_height = height
+
+    def put() -> None:
+        camera._fit = read._fit
+        camera.position, camera.zoom, camera.angle = read.position, read.zoom, read.angle
+
+    return put
+
+
+def _text(row: list[Any]) -> Text:
+    serial, text, at, size, colour, anchor, visible = row
+    return Text(str(text), at, size, Colour(*colour), anchor, bool(visible), serial=int(serial))
