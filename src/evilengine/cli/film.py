@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
 from evilengine.assets.film import save_film
+from evilengine.cli import autosave
 from evilengine.cli.stage import perform
 from evilengine.platform import HeadlessDevice
 from evilengine.platform.device import MOST_POINTS
@@ -41,6 +42,8 @@ class Shot:
     sway: bool = True
     """Does a hand sway the device, for games with tilt?"""
     debug_view: bool = False
+    resume: bool = False
+    """Does it begin where the game's window was closed?"""
 
 
 def film(path: Path, target: Path, shot: Shot, *, seconds: float = 10.0, fps: float = 30.0) -> Path:
@@ -50,13 +53,13 @@ def film(path: Path, target: Path, shot: Shot, *, seconds: float = 10.0, fps: fl
         raise ArgumentError(
             f"{seconds:g} s at {fps:g} frames a second are more than {MOST_FRAMES} frames; make it shorter"
         )
-    return _perform(path, target, _Film(target, shot, max(1, round(seconds * fps)), fps), shot)
+    return _perform(path, target, _Film(path, target, shot, max(1, round(seconds * fps)), fps), shot)
 
 
 def picture(path: Path, target: Path, shot: Shot, *, at: float) -> Path:
     """Write how the level or game at `path` looks after `at` seconds to `target`, and return `target`."""
     _check_ending(target, PICTURES, "a picture")
-    return _perform(path, target, _Picture(target, shot, at), shot)
+    return _perform(path, target, _Picture(path, target, shot, at), shot)
 
 
 def sway(seconds: float) -> tuple[float, float]:
@@ -93,7 +96,8 @@ class _Screen(HeadlessDevice):
 class _Camera:
     """A stage without a window; what is filmed is up to `shoot`, once."""
 
-    def __init__(self, target: Path, shot: Shot) -> None:
+    def __init__(self, path: Path, target: Path, shot: Shot) -> None:
+        self.path = path
         self.target = target
         self.shot = shot
         self.done = False
@@ -105,6 +109,8 @@ class _Camera:
     def run(self, game: Game) -> None:
         if not self.done:
             game.debug = game.debug or self.shot.debug_view
+            if self.shot.resume:
+                autosave.resume(game, self.path)
             self.done = True
             self.shoot(game)
         game.close()
@@ -122,8 +128,8 @@ class _Camera:
 
 
 class _Film(_Camera):
-    def __init__(self, target: Path, shot: Shot, frames: int, fps: float) -> None:
-        super().__init__(target, shot)
+    def __init__(self, path: Path, target: Path, shot: Shot, frames: int, fps: float) -> None:
+        super().__init__(path, target, shot)
         self.frames = frames
         self.fps = fps
 
@@ -134,8 +140,8 @@ class _Film(_Camera):
 
 
 class _Picture(_Camera):
-    def __init__(self, target: Path, shot: Shot, at: float) -> None:
-        super().__init__(target, shot)
+    def __init__(self, path: Path, target: Path, shot: Shot, at: float) -> None:
+        super().__init__(path, target, shot)
         self.at = at
 
     def shoot(self, game: Game) -> None:

@@ -11,6 +11,8 @@ A level that changes on disk is loaded again; one with errors is shown with them
 Images that change on disk are shown as they are now, in levels and in games.
 In levels with tilt, the arrow keys, the mouse wheel or a pad's stick turn gravity. Drag things by mouse or finger.
 
+When the window closes (or Ctrl-C or the system ends it), the game is saved; `evil play --resume` goes on with it.
+
 Without a screen it films ten seconds instead and prints where the film is.
 """
 
@@ -26,7 +28,12 @@ FILM_SECONDS = 10.0
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("what", nargs="?", default="prototype1", metavar="LEVEL|GAME|EXAMPLE", help="what to play")
+    parser.add_argument("what", nargs="?", metavar="LEVEL|GAME|EXAMPLE", help="what to play (default: prototype1)")
+    parser.add_argument(
+        "--resume",
+        action="store_true",
+        help="go on where the window was closed; without a name, with what was played last",
+    )
     parser.add_argument("--headless", action="store_true", help="open no window: film it")
     parser.add_argument("--film", metavar="FILE", help="film it to FILE (.webp, .gif, .png) instead of playing")
     parser.add_argument("--seconds", type=options.seconds, metavar="S", help="stop after S seconds")
@@ -34,18 +41,26 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    path = sources.source(args.what)
+    path = _what(args)
     if args.headless or args.film or not _screen():
         from evilengine.cli import film
 
         target = Path(args.film) if args.film else _writable_folder() / f"{path.stem}.webp"
-        shot = film.Shot(size=args.size, renderer=args.renderer, debug_view=args.debug_view)
+        shot = film.Shot(size=args.size, renderer=args.renderer, debug_view=args.debug_view, resume=args.resume)
         print(film.film(path, target, shot, seconds=args.seconds or FILM_SECONDS))
         return 0
     from evilengine.cli.player import Player
 
-    Player(path, size=args.size, renderer=args.renderer, debug_view=args.debug_view, seconds=args.seconds).play()
-    return 0
+    looks = {"size": args.size, "renderer": args.renderer, "debug_view": args.debug_view}
+    return Player(path, **looks, seconds=args.seconds, resume=args.resume).play()
+
+
+def _what(args: argparse.Namespace) -> Path:
+    if args.what is None and args.resume:
+        from evilengine.cli import autosave
+
+        return autosave.newest()
+    return sources.source(args.what or "prototype1")
 
 
 def _screen() -> bool:

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import contextlib
+import signal
 import sys
+import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from evilengine.assets.pictures import stamp_of
+from evilengine.cli import autosave
 from evilengine.cli.stage import level_game, perform
 from evilengine.values.errors import Error, LevelError
 from evilengine.values.events import Event, KeyEvent
@@ -49,6 +53,7 @@ class Player:
         renderer: str = "auto",
         debug_view: bool = False,
         seconds: float | None = None,
+        resume: bool = False,
         device: Device | None = None,
         clock: Callable[[], float] = time.perf_counter,
     ) -> None:
@@ -57,17 +62,21 @@ class Player:
         self.renderer = renderer
         self.debug_view = debug_view
         self.seconds = seconds
+        self.resume = resume
         self.device = device
         self.is_level = path.suffix != ".py"
         self.game: Game | None = None
+        self._hint: Text | None = None
+        self._hint_until = 0.0  # of the game's seconds
         self._failure: Text | None = None  # why the level on disk is not the one that plays
         self._wants_again = self._wants_step = False
+        self._told_to_end = 0  # by which signal
         self._stamp = stamp_of(path)
         self._clock = clock
         self._looked = self._began = clock()
 
-    def play(self) -> None:
-        """Play until the player has enough."""
+    def play(self) -> int:
+        """Play until the player has enough, or the process is told to end; returns the exit code."""
         try:
             again = True
             while again:
@@ -81,6 +90,7 @@ class Player:
                 self.game.audio.close()
             if self.device is not None:
                 self.device.close()
+        return 128 + self._told_to_end if self._told_to_end else 0
 
     # The stage
 
@@ -95,13 +105,23 @@ class Player:
 
     def run(self, game: Game) -> None:
         """Play `game`, or the one that takes its place, until it ends."""
+        if self.resume:
+            self.resume = False
+            autosave.resume(game, self.path)
+        self._take(game)
+        with self._ending_when_told():
+            over = self._play()
+        if over and self.game is not None:
+            autosave.write(self.game, self.path)
+
+    def _play(self) -> bool:
+        """True once somebody ended the game, False when its seconds are over."""
         from evilengine.game import keep_pace
 
-        self._take(game)
         while self.game is not None and self.game.running:
             now = self._clock()
             if self.seconds is not None and now - self._began > self.seconds:
-                return
+                return False
             if now - self._looked > WATCH_SECONDS:
                 self._looked = now
                 self._look_at_the_files()
@@ -110,8 +130,35 @@ class Player:
             if self._wants_step:
                 self._wants_step = False
                 self.game.step()
+            if self._hint is not None and self.game.world.time >= self._hint_until:
+                self._hint.destroy()
+                self._hint = None
             self.game.frame(now)
             keep_pace(self.game.device, now)
+        return True
+
+    @contextlib.contextmanager
+    def _ending_when_told(self) -> Iterator[None]:
+        """Ctrl-C and the system's request to end finish the frame first, so that the game can be saved whole.
+
+        A second one does not wait.
+        """
+
+        def told(number: int, frame: object) -> None:
+            if self._told_to_end or self.game is None:
+                raise KeyboardInterrupt
+            self._told_to_end = number
+            self.game.quit()
+
+        if threading.current_thread() is not threading.main_thread():
+            yield
+            return
+        before = {number: signal.signal(number, told) for number in (signal.SIGINT, signal.SIGTERM)}
+        try:
+            yield
+        finally:
+            for number, handler in before.items():
+                signal.signal(number, handler)
 
     def _take(self, game: Game) -> None:
         """Put `game` into the window, with the keys of this player; the one before it is heard no more."""
@@ -121,8 +168,8 @@ class Player:
         game.debug = game.debug or self.debug_view
         game.on_event(self._key)
         words = (TILT_HINT if game.tilt else "") + (LEVEL_HINT if self.is_level else HINT)
-        hint = game.text(words, at=(0, 26), anchor="top", size=15, colour="#ffffffc0")
-        game.timer.after(HINT_SECONDS, hint.destroy)
+        self._hint = game.scene.overlay(words, at=(0, 26), anchor="top", size=15, colour="#ffffffc0")
+        self._hint_until = game.world.time + HINT_SECONDS
 
     def _key(self, event: Event) -> None:
         if not isinstance(event, KeyEvent) or not event.down or self.game is None:
@@ -167,7 +214,7 @@ class Player:
         print(error, file=sys.stderr)
         assert self.game is not None
         if self._failure is None:
-            self._failure = self.game.text("", at=(16, 16), size=15, colour="#ff9d8a")
+            self._failure = self.game.scene.overlay("", at=(16, 16), size=15, colour="#ff9d8a")
         lines = [f"{self.path.name} has errors, so the level as it was plays on:", *_headlines(error)]
         self._failure.text = "\n".join(lines)
 

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from evilengine import _core
+from evilengine.audio import saving as sounds
 from evilengine.level.rules import Rounds
 from evilengine.level.saving import LevelState, LevelWriter, reference
 from evilengine.save import Container, Slots
@@ -37,9 +38,9 @@ NOT_SOUND = (ArithmeticError, AttributeError, LookupError, RecursionError, TypeE
 """What reading a state raises that no game has written."""
 
 
-def save(game: Game, slots: Slots, path: Path) -> None:
+def save(game: Game, slots: Slots, path: Path, origin: str = "") -> None:
     """Write the game into a slot."""
-    slots.write(path, to_bytes(game), lambda data: SAVED_GAME.read(data, path.name))
+    slots.write(path, to_bytes(game, origin), lambda data: SAVED_GAME.read(data, path.name))
 
 
 def resume(game: Game, slots: Slots, path: Path) -> None:
@@ -48,8 +49,16 @@ def resume(game: Game, slots: Slots, path: Path) -> None:
     _become(game, sections, path.name)
 
 
-def to_bytes(game: Game) -> bytes:
-    """The game as it is now. Raises SaveError for functions that have no name, and says which."""
+def origin_of(slots: Slots, path: Path) -> str:
+    """The file that the game in a slot was started from, "" if nobody said."""
+    return str(json.loads(slots.read(path, SAVED_GAME.read)["about"])["origin"])
+
+
+def to_bytes(game: Game, origin: str = "") -> bytes:
+    """The game as it is now; `origin` is the file that it was started from.
+
+    Raises SaveError for functions that have no name, and says which.
+    """
     try:
         worlds.check_python_forces(game.world)
         world = game.world.snapshot()
@@ -66,9 +75,8 @@ def to_bytes(game: Game) -> bytes:
 
     drawings, scene = scenes.state_of(game.scene)
     tilted = None if game._tilted is None else [list(each) for each in game._tilted]
-    rest = {
-        "title": game.title,
-        "engine": VERSION,
+    about = {"title": game.title, "engine": VERSION, "origin": origin}
+    rest: dict[str, Any] = {
         "tilt": game.tilt,
         "paused": game.paused,
         "tilted": tilted,
@@ -79,11 +87,13 @@ def to_bytes(game: Game) -> bytes:
         "behaviours": behaviours.state_of(game.world, name_of),
         "interaction": game._interaction.state(),
         "grabs": game._grabs.state(),
+        "audio": sounds.state_of(game.audio, reference),
     }
     rest["levels"] = [level.state() for level in levels]  # last: the others name what is in them
     return SAVED_GAME.write(
         {
-            "game": json.dumps(rest, allow_nan=False, separators=(",", ":"), sort_keys=True).encode(),
+            "about": _json(about),
+            "game": _json(rest),
             "world": world,
             "drawings": drawings,
             "random": _random_state(game),
@@ -143,6 +153,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
     timer = timers.read(game.timer, state["timer"], find_for_timer)
     on_bodies = behaviours.read(game.world, state["behaviours"], find, bodies)
     interaction = game._interaction.read(state["interaction"])
+    heard = sounds.read(game.audio, state["audio"], bodies)
     grabs = game._grabs.read(state["grabs"], game.world, bodies)
     camera = scenes.read_camera(game.camera, state["camera"])
     dice, inputs = _read_random(sections["random"]), inputs_code.decode(sections["inputs"])
@@ -179,6 +190,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
             each.put(things)
         interaction()
         grabs()
+        heard(game.world._body)
         camera()
         game.random.setstate(dice)
         game._inputs, game._alpha = inputs, 1.0
@@ -194,6 +206,10 @@ class _Later:
         self.call: Callable[..., Any] = self
 
     def __call__(self) -> None: ...
+
+
+def _json(state: dict[str, Any]) -> bytes:
+    return json.dumps(state, allow_nan=False, separators=(",", ":"), sort_keys=True).encode()
 
 
 def _random_state(game: Game) -> bytes:
