@@ -1,5 +1,7 @@
 #pragma once
+// Memory of Python objects, and of ours for Python.
 #include "bind/convert.hpp"
+#include <cstdint>
 
 namespace evil::bind {
 
@@ -22,5 +24,8 @@ public:
 private:
     Py_buffer view_{};
 };
+
+// width * height * 4 bytes, or evil.ArgumentError.
+void check_picture(const Bytes& bytes, long width, long height, const char* owner);
 
 } // namespace evil::bind

@@ -19,6 +19,7 @@ NB_MODULE(_core, module) {
     evil::bind::register_shapes(module);
     evil::bind::register_draw_list(module);
     evil::bind::register_raster(module);
+    evil::bind::register_gpu(module);
     evil::bind::register_scene(module);
     evil::bind::register_mixer(module);
 }

@@ -18,6 +18,7 @@ void register_mat4(nb::module_& module);
 void register_shapes(nb::module_& module);
 void register_draw_list(nb::module_& module);
 void register_raster(nb::module_& module);
+void register_gpu(nb::module_& module);
 void register_scene(nb::module_& module);
 void register_mixer(nb::module_& module);
 

@@ -6,15 +6,6 @@
 namespace evil::bind {
 namespace {
 
-void check_picture(const Bytes& bytes, long width, long height, const char* owner) {
-    const bool sides = width >= 1 && height >= 1 && width <= raster::kMaxSide && height <= raster::kMaxSide;
-    if (!sides || bytes.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4)
-        raise(ErrorKind::argument, std::string(owner) + ": width=" + std::to_string(width) +
-                                       ", height=" + std::to_string(height) + " must each be 1 to " +
-                                       std::to_string(raster::kMaxSide) + " and go with " +
-                                       std::to_string(bytes.size()) + " bytes, four a pixel");
-}
-
 // Ids count up and are never given out twice, so a released texture can never turn into another.
 class Raster {
 public:
@@ -75,6 +66,15 @@ void unpremultiply(nb::handle pixels) {
 }
 
 } // namespace
+
+void check_picture(const Bytes& bytes, long width, long height, const char* owner) {
+    const bool sides = width >= 1 && height >= 1 && width <= raster::kMaxSide && height <= raster::kMaxSide;
+    if (!sides || bytes.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4)
+        raise(ErrorKind::argument, std::string(owner) + ": width=" + std::to_string(width) +
+                                       ", height=" + std::to_string(height) + " must each be 1 to " +
+                                       std::to_string(raster::kMaxSide) + " and go with " +
+                                       std::to_string(bytes.size()) + " bytes, four a pixel");
+}
 
 void register_raster(nb::module_& module) {
     nb::class_<Raster>(module, "Raster", "The software renderer; evilengine.renderer.soft is its face.")

@@ -52,6 +52,17 @@ inline void clear(DrawList& list) { // keeps the memory for the next frame
     list.instances.clear();
 }
 
+// Whether everything that the mesh names is there: a renderer draws nothing else.
+inline bool is_sound(const DrawList& list, const Mesh& mesh) {
+    const std::uint64_t vertices = std::uint64_t{mesh.first_vertex} + mesh.vertex_count;
+    const std::uint64_t indices = std::uint64_t{mesh.first_index} + mesh.index_count;
+    if (vertices > list.vertices.size() || indices > list.indices.size()) return false;
+    if (mesh.vertex_count < (mesh.kind == MeshKind::circle ? 1u : 3u)) return false;
+    for (std::uint64_t i = mesh.first_index; i < indices; ++i)
+        if (list.indices[i] >= mesh.vertex_count) return false;
+    return true;
+}
+
 // Adds a polygon and returns its mesh's index. `triangles` holds indices into `corners`.
 inline std::uint32_t add_polygon(DrawList& list, std::span<const Vertex> corners,
                                  std::span<const std::uint32_t> triangles) {

@@ -10,16 +10,6 @@ namespace {
 constexpr int kGap = 2;
 constexpr double kFarthest = 1e15; // pixels; beyond, a double no longer knows where in a pixel it is
 
-bool is_sound(const draw::DrawList& list, const draw::Mesh& mesh) {
-    const std::uint64_t vertices = std::uint64_t{mesh.first_vertex} + mesh.vertex_count;
-    const std::uint64_t indices = std::uint64_t{mesh.first_index} + mesh.index_count;
-    if (vertices > list.vertices.size() || indices > list.indices.size()) return false;
-    if (mesh.vertex_count < (mesh.kind == draw::MeshKind::circle ? 1u : 3u)) return false;
-    for (std::uint64_t i = mesh.first_index; i < indices; ++i)
-        if (list.indices[i] >= mesh.vertex_count) return false;
-    return true;
-}
-
 // The pixels that the loops may touch, or an empty box if they lie outside or nowhere.
 Box bounds_of(std::span<const Point> points, const Target& target) {
     double left = kFarthest, top = kFarthest, right = -kFarthest, bottom = -kFarthest;
@@ -131,7 +121,7 @@ void render(const draw::DrawList& list, draw::Rgba8 background, std::span<const 
     if (scratch.row.size() < room) scratch.row.resize(room);
 
     std::vector<bool> sound(list.meshes.size());
-    for (std::size_t i = 0; i < list.meshes.size(); ++i) sound[i] = is_sound(list, list.meshes[i]);
+    for (std::size_t i = 0; i < list.meshes.size(); ++i) sound[i] = draw::is_sound(list, list.meshes[i]);
     for (const draw::Instance& instance : list.instances) {
         if (instance.mesh >= list.meshes.size() || !sound[instance.mesh]) continue;
         const bool found = instance.texture != draw::kNoTexture && instance.texture < textures.size();

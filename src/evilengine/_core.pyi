@@ -702,6 +702,50 @@ class SavedScene:
         (slot, body's slot, shape's slot) of each drawing, in the order of creation.
         """
 
+class Memory:
+    """Bytes of the core, read-only, without a copy."""
+
+    def __len__(self) -> int: ...
+
+class Batcher:
+    """Draw lists as quads for a graphics card, in few draw calls."""
+
+    def __init__(self) -> None: ...
+
+    def hold(self) -> int:
+        """The id of one more picture."""
+
+    def drop(self, texture: int) -> None:
+        """Draw what names this picture without one from now on."""
+
+    def collect(self, list: DrawList, width: int, height: int) -> list[tuple[int, int, tuple[int, ...], bool]]:
+        """
+        A frame as draw calls: the first quad, how many, their pictures by unit, and whether any has facets.
+        """
+
+    @property
+    def quads(self) -> Memory:
+        """The frame's quads; see core/gpu/quads.hpp."""
+
+    @property
+    def edges(self) -> Memory:
+        """
+        Edges made for this frame, in pixels: texels that follow those of `shapes`.
+        """
+
+    @property
+    def shapes(self) -> Memory:
+        """Edges and facets of the meshes: rows of 1024 texels of 4 floats."""
+
+    @property
+    def revision(self) -> int:
+        """Changes when `shapes` does."""
+
+def mipmaps(pixels: object, width: int, height: int) -> list[tuple[int, int, bytes]]:
+    """
+    A picture of straight r, g, b, a and its smaller copies: width, height, bytes multiplied with alpha.
+    """
+
 class Scene:
     """Drawings by slot and generation; evilengine.scene is the face."""
 

@@ -1,0 +1,42 @@
+#pragma once
+// Meshes as a fragment shader wants them: each edge a texel, and planes that give texture coordinates and colours. They
+// stay on the graphics card until the draw list holds other meshes.
+#include "draw/draw_list.hpp"
+#include "gpu/quads.hpp"
+#include <span>
+#include <vector>
+
+namespace evil::gpu {
+
+struct Plane { // a number that changes linearly over the mesh: dx * x + dy * y + at
+    double dx = 0, dy = 0, at = 0;
+};
+
+struct Shape {                                 // one mesh
+    std::uint32_t first_edge = 0, edges = 0;   // none: nothing to draw
+    std::uint32_t first_facet = 0, facets = 0; // none: u and v below serve for all of it, and every corner is white
+    Rect bounds, inner;                        // inner: a box that lies inside; empty if none was found
+    Plane u, v;
+};
+
+struct Circle { // a polygon of the unit circle's area, for discs too small to go by distance
+    std::uint32_t first_edge = 0, edges = 0;
+};
+
+struct Shapes {
+    std::vector<Texel> texels;   // edges x0 y0 x1 y1, and facets of kFacetTexels each; whole rows
+    std::vector<Shape> shapes;   // by mesh
+    std::vector<Circle> circles; // from few edges to many
+    std::uint64_t revision = 0;  // changes when `texels` do
+
+    std::vector<draw::Vertex> vertices; // what the above was made from
+    std::vector<std::uint32_t> indices;
+    std::vector<draw::Mesh> meshes;
+};
+
+inline constexpr std::uint32_t kFacetTexels = 10; // three sides, u, v, colour by x, by y, at the origin, least, most
+
+// Makes everything anew if the list's meshes are not those of the last call: comparing costs less than an upload.
+void update(Shapes& shapes, const draw::DrawList& list);
+
+} // namespace evil::gpu
