@@ -36,6 +36,7 @@ FOREIGN = {
     "sdl2dll": ("platform/", "cli/doctor.py"),
     "miniaudio": ("audio/decode.py",),
     "platformdirs": ("save/",),
+    "moderngl": ("renderer/gl/moderngl_device.py",),
     "PIL": ("assets/", "values/picture_files.py", "cli/doctor.py"),
 }
 
@@ -122,7 +123,7 @@ def test_a_foreign_package_is_known_in_one_place_only(package: str) -> None:
 def test_the_engine_needs_nothing_that_is_not_declared() -> None:
     import sys
 
-    declared = {"sdl2", "sdl2dll", "PIL", "platformdirs", "miniaudio", "evilengine"}
+    declared = {"sdl2", "sdl2dll", "PIL", "miniaudio", "moderngl", "platformdirs", "evilengine"}
     used = {name.split(".")[0] for file in python_files() for name in imports_of(file)}
     assert used - declared - sys.stdlib_module_names == set()
 
@@ -153,6 +154,7 @@ CORE_GROUND = {
     "shapes": {"math", "shapes"},
     "raster": {"math", "shapes", "draw", "raster"},
     "mixer": {"math", "mixer"},
+    "gpu": {"math", "shapes", "draw", "raster", "gpu"},
 }
 
 

@@ -6,12 +6,25 @@ from typing import Protocol
 
 from evilengine.values.checks import one_of
 from evilengine.values.drawlist import DrawList
-from evilengine.values.errors import DeviceError
 from evilengine.values.image import Image
+from evilengine.values.surface import Shows, Surface
+
+RENDERERS = ("auto", "gl", "soft")
 
 
 class Renderer(Protocol):
     """Turns draw lists into pictures. Textures are known by whole numbers, so that the core can name them."""
+
+    @property
+    def name(self) -> str:
+        """Who draws: "gl" or "soft"."""
+
+    @property
+    def draw_calls(self) -> int:
+        """How many the last frame took; 0 in software."""
+
+    def attach(self, surface: Surface | None) -> None:
+        """Draw to a window's GL context from now on, or with None no longer: the window closes."""
 
     def upload(self, image: Image) -> int:
         """Keep `image` for drawing and return its id, a number above 0 that is never given out again."""
@@ -25,9 +38,12 @@ class Renderer(Protocol):
     def draw(self, frame: DrawList) -> None:
         """Draw a whole frame; the target takes the frame's size."""
 
+    def show(self, device: Shows) -> None:
+        """Put the last frame on the screen: straight from the graphics card where it can, else as a picture."""
+
     @property
     def pixels(self) -> memoryview:
-        """The last frame as (height, width, 4) bytes r, g, b, a, colours multiplied with alpha; without a copy."""
+        """The last frame as (height, width, 4) bytes r, g, b, a, colours multiplied with alpha; good until the next."""
 
     def capture(self) -> Image:
         """A copy of the last frame, with straight alpha."""
@@ -37,15 +53,19 @@ class Renderer(Protocol):
 
 
 def open_renderer(name: str = "auto") -> Renderer:
-    """The renderer called `name`: "soft" or "auto", the best that this machine has.
+    """The renderer called `name`. Raises ArgumentError for an unknown name.
 
-    Raises ArgumentError for an unknown name, and DeviceError for "gl", which this version does not have.
+    "auto" draws on the graphics card where there is one, and in software where there is none or only a driver that
+    plays one on the processor. "gl" takes any driver. Where it can have none, or loses it, a game goes on in software,
+    with a line on the terminal that says so. "soft" gives the same bits on every machine.
 
-    >>> type(open_renderer("soft")).__name__
-    'SoftRenderer'
+    >>> open_renderer("soft").name
+    'soft'
     """
-    if one_of(name, "open_renderer", "name", ("auto", "soft", "gl")) == "gl":
-        raise DeviceError('renderer="gl": this version draws in software only; take "soft" or "auto"')
-    from evilengine.renderer.soft import SoftRenderer
+    if one_of(name, "open_renderer", "name", RENDERERS) == "soft":
+        from evilengine.renderer.soft import SoftRenderer
 
-    return SoftRenderer()
+        return SoftRenderer()
+    from evilengine.renderer.steady import SteadyRenderer
+
+    return SteadyRenderer(software=name == "gl")

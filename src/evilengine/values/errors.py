@@ -48,6 +48,15 @@ class AssetError(Error, OSError):
     """An image, font or sound that is missing, unreadable, damaged or too large."""
 
 
+class ShaderError(Error, ValueError):
+    """A shader that does not compile; `.file` and `.line` say where, line 0 when the driver does not say."""
+
+    def __init__(self, message: str = "", file: str = "", line: int = 0) -> None:
+        super().__init__(message)
+        self.file = file
+        self.line = line
+
+
 class SaveError(Error, OSError):
     """A saved game that cannot be written or read."""
 

@@ -6,6 +6,7 @@ from evilengine import _core
 from evilengine.values.drawlist import DrawList
 from evilengine.values.errors import ArgumentError
 from evilengine.values.image import Image
+from evilengine.values.surface import Shows, Surface
 
 MAX_SIDE = 16384
 """Pixels; the longest side of a target or a texture (kMaxSide in core/raster/target.hpp)."""
@@ -22,10 +23,18 @@ class SoftRenderer:
     (255, 0)
     """
 
+    name = "soft"
+    draw_calls = 0
+
     def __init__(self) -> None:
         self._raster = _core.Raster()
         self._size = (1, 1)
         self._pixels = bytearray(4)
+
+    def attach(self, surface: Surface | None) -> None:
+        """Pictures are all that this renderer makes: a window's GL context is of no use to it."""
+        if surface is not None:
+            surface.close()
 
     def upload(self, image: Image) -> int:
         """Keep `image` for drawing and return its id, above 0."""
@@ -56,6 +65,10 @@ class SoftRenderer:
         """The last frame as (height, width, 4) bytes, colours multiplied with alpha; the next draw changes them."""
         width, height = self._size
         return memoryview(self._pixels).toreadonly().cast("B", (height, width, 4))
+
+    def show(self, device: Shows) -> None:
+        """Put the last frame on the screen."""
+        device.show(self.pixels, self._size)
 
     def capture(self) -> Image:
         """A copy of the last frame, with straight alpha."""

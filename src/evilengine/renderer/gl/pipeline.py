@@ -1,0 +1,158 @@
+"""One frame on a graphics device: meshes stay on the card, a buffer of quads goes there, and few draw calls show them.
+
+`core/gpu` turns a draw list into quads, edges and facets; the shaders say what becomes of them. Here is only what is
+kept where, and in which order things go to the card.
+"""
+
+from __future__ import annotations
+
+from evilengine import _core
+from evilengine.renderer.gl import shaders
+from evilengine.renderer.gl.device import Attribute, GraphicsDevice, Layout, Program, Target, Texture
+from evilengine.values.drawlist import DrawList
+from evilengine.values.image import Image
+
+ROW = 1024
+"""Texels in a row of a data texture (kRow in core/gpu/quads.hpp)."""
+
+MIXES = (0, 1, 2, 4, 8)
+"""How many pictures a draw call may mix, at most kUnits in core/gpu/quads.hpp; a program for each, as some drivers look
+each picture up for each pixel."""
+
+INSTANCE = Layout(
+    100,
+    (
+        *(Attribute("float", 4, 16 * place) for place in range(5)),  # matrix, offsets, box, inner, coordinates
+        Attribute("uint", 4, 80),  # first edge, edges, first facet, how
+        Attribute("uint", 1, 96),  # tint
+    ),
+)
+"""A Quad of core/gpu/quads.hpp, field by field."""
+
+
+class _Shapes:
+    """The data texture: the meshes' rows, then those that are made for a frame. It grows by doubling."""
+
+    def __init__(self, device: GraphicsDevice) -> None:
+        self._device = device
+        self._revision = 0
+        self.texture: Texture = device.texture("data", (ROW, 1))
+
+    def write(self, batcher: _core.Batcher) -> None:
+        meshes, edges = batcher.shapes, batcher.edges
+        mesh_rows, edge_rows = len(meshes) // (ROW * 16), len(edges) // (ROW * 16)
+        if mesh_rows + edge_rows > self.texture.size[1]:
+            self.texture.release()
+            self.texture = self._device.texture("data", (ROW, 1 << (mesh_rows + edge_rows - 1).bit_length()))
+            self._revision = 0
+        if batcher.revision != self._revision:
+            self.texture.write(meshes, (0, 0, ROW, mesh_rows))
+            self._revision = batcher.revision
+        if edge_rows:
+            self.texture.write(edges, (0, mesh_rows, ROW, edge_rows))
+
+
+class Pipeline:
+    """Everything that is held on one device, and how a frame is drawn with it."""
+
+    def __init__(self, device: GraphicsDevice) -> None:
+        self.device = device
+        self.draw_calls = 0
+        """Of the last frame."""
+        self.target: Target | None = None
+        self._batcher = _core.Batcher()
+        self._pictures: dict[int, Texture] = {}
+        self._programs: dict[tuple[int, bool], Program] = {}  # by how many pictures a draw call mixes, and facets
+        self._quads = device.buffer()
+        self._shapes = _Shapes(device)
+        for pictures in MIXES[:2]:  # compiled now, so that no frame waits for it, and errors come at the start
+            self._program(pictures, False)
+
+    # ---- pictures -------------------------------------------------------------------------------------------------
+
+    def upload(self, image: Image) -> int:
+        picture = self._picture(image)
+        texture = self._batcher.hold()
+        self._pictures[texture] = picture
+        return texture
+
+    def update(self, texture: int, image: Image) -> None:
+        picture = self._picture(image)
+        self._pictures[texture].release()
+        self._pictures[texture] = picture
+
+    def drop(self, texture: int) -> None:
+        self._batcher.drop(texture)
+        self._pictures.pop(texture).release()
+
+    def _picture(self, image: Image) -> Texture:
+        """On the card, with the smaller copies that `soft` uses too. What the card cannot hold is held smaller."""
+        levels = _core.mipmaps(image.pixels, image.width, image.height)
+        while max(levels[0][:2]) > self.device.most_pixels:
+            levels.pop(0)
+        picture = self.device.texture("picture", levels[0][:2], levels=len(levels))
+        for level, (width, height, texels) in enumerate(levels):
+            picture.write(texels, (0, 0, width, height), level=level)
+        return picture
+
+    # ---- a frame --------------------------------------------------------------------------------------------------
+
+    def draw(self, frame: DrawList) -> None:
+        batches = self._batcher.collect(frame.content, *frame.size)
+        target = self._target(frame.size)
+        target.clear(_to_colour(frame.background))
+        quads = self._batcher.quads
+        if batches:
+            self._quads.write(quads, len(quads))
+            self._shapes.write(self._batcher)
+        for first, quad_count, pictures, facets in batches:
+            self.device.draw(
+                target,
+                self._program(next(count for count in MIXES if count >= len(pictures)), facets),
+                instances=(self._quads, INSTANCE, first, quad_count),
+                textures=[
+                    ("shapes", self._shapes.texture),
+                    *((f"picture{unit}", self._pictures[texture]) for unit, texture in enumerate(pictures)),
+                ],
+                uniforms={"target_size": (float(frame.size[0]), float(frame.size[1]))},
+            )
+        self.draw_calls = len(batches)
+        self.device.check()
+
+    def show(self, size: tuple[int, int]) -> None:
+        """Put the last frame on the window, `size` pixels large."""
+        if self.target is None:
+            return
+        program = self.device.program(shaders.load("screen.vert"), shaders.load("screen.frag"), {})
+        self.device.show(program, [("picture", self.target.texture)], size)
+        self.device.check()
+
+    def _program(self, pictures: int, facets: bool) -> Program:
+        if (pictures, facets) not in self._programs:
+            vertex, fragment = shaders.load("shape.vert"), shaders.load("shape.frag")
+            defines = {"PICTURES": pictures, "FACETS": int(facets)}
+            self._programs[pictures, facets] = self.device.program(vertex, fragment, defines)
+        return self._programs[pictures, facets]
+
+    def _target(self, size: tuple[int, int]) -> Target:
+        if self.target is None or self.target.size != size:
+            if self.target is not None:
+                self.target.release()
+            self.target = None
+            self.target = self.device.target(size)
+        return self.target
+
+    def release(self) -> None:
+        """Give back everything that this made."""
+        for thing in (*self._pictures.values(), self._shapes.texture, self._quads, self.target):
+            if thing is not None:
+                thing.release()
+        self._pictures.clear()
+        self.target = None
+
+
+def _to_colour(background: int) -> tuple[float, float, float, float]:
+    """0xAABBGGRR as 0..1, multiplied with alpha."""
+    alpha = (background >> 24) / 255
+    red, green, blue = ((background >> shift & 255) / 255 * alpha for shift in (0, 8, 16))
+    return red, green, blue, alpha

@@ -1,0 +1,55 @@
+"""Shaders: read from their files, and errors of theirs told with file, line and the driver's words."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+
+from evilengine.renderer.gl.device import Source
+from evilengine.values.errors import AssetError, ShaderError
+
+FOLDER = Path(__file__).parent.parent / "shaders"
+ES_HEADER = "#version 300 es"
+DESKTOP_HEADER = "#version 330"
+
+# How drivers begin a line about an error: Mesa 0:12(5), NVIDIA 0(12), most others 0:12. The line is the second number.
+_PLACE = re.compile(r"\b\d+[:(](\d+)[):(]")
+_STAGE = re.compile(r"(vertex|fragment)[ _]shader", re.IGNORECASE)
+
+
+def load(name: str) -> Source:
+    """The shader in the file called `name`, of those that ship with the engine."""
+    path = FOLDER / name
+    try:
+        return Source(str(path), path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError) as error:
+        raise AssetError(f"shader {name!r} cannot be read: {error}; install evilengine again") from None
+
+
+def prepare(source: Source, defines: Mapping[str, int], *, es: bool) -> str:
+    """What the driver gets: the header that it wants, then the definitions; lines keep the numbers of the file."""
+    first, _, rest = source.text.partition("\n")
+    if first.strip() != ES_HEADER:
+        raise ShaderError(f"{source.file}:1: a shader begins with {ES_HEADER!r}, not {first!r}", source.file, 1)
+    lines = [ES_HEADER if es else DESKTOP_HEADER, *(f"#define {name} {value}" for name, value in defines.items())]
+    return "\n".join([*lines, "#line 2", rest])
+
+
+def complaint(text: str, vertex: Source, fragment: Source) -> ShaderError:
+    """What a driver said about two shaders, as one error."""
+    stage = _STAGE.search(text)
+    source = vertex if stage and stage[1].lower() == "vertex" else fragment
+    words = [line.strip() for line in text.splitlines() if _says_something(line)]
+    for line in words:
+        place = _PLACE.search(line)
+        if place:
+            return ShaderError(f"{source.file}:{place[1]}: {line}", source.file, int(place[1]))
+    said = "; ".join(words) or "the driver gives no reason"
+    return ShaderError(f"{vertex.file} and {fragment.file} do not fit together: {said}", fragment.file, 0)
+
+
+def _says_something(line: str) -> bool:
+    """Not a heading, an underline or nothing."""
+    text = line.strip()
+    return bool(text.strip("=-")) and not text.startswith("GLSL ") and text not in ("vertex_shader", "fragment_shader")

@@ -1,0 +1,186 @@
+#version 300 es
+// What share of a pixel a thing covers, exactly as the software renderer measures it, and with which colour.
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+
+#ifndef PICTURES
+#define PICTURES 8 // how many this draw call mixes: 0, 1, 2, 4 or 8
+#endif
+#ifndef FACETS
+#define FACETS 1 // 0 where nothing has colours or texture coordinates that differ from triangle to triangle
+#endif
+
+uniform sampler2D shapes; // edges and facets of the meshes (core/gpu/shapes.hpp), then edges of this frame
+#if PICTURES >= 1
+uniform sampler2D picture0;
+#endif
+#if PICTURES >= 2
+uniform sampler2D picture1;
+#endif
+#if PICTURES >= 4
+uniform sampler2D picture2, picture3;
+#endif
+#if PICTURES >= 8
+uniform sampler2D picture4, picture5, picture6, picture7;
+#endif
+
+in vec2 at;
+flat in vec4 to_pixel, to_mesh, places, inside, texture_matrix, colour;
+flat in uvec4 parts;
+out vec4 result;
+
+const uint ROW = 1024u;
+const uint ALL = 0u, EDGES = 1u, DISC = 3u;
+const uint REPEAT = 1u << 4, HOLLOW = 4u << 4, COLOURED = 8u << 4, TEXTURED = 16u << 4;
+const uint FACET_TEXELS = 10u;
+
+vec4 texel(uint i) { return texelFetch(shapes, ivec2(i % ROW, i / ROW), 0); }
+
+// ---- coverage ----
+
+// The area within the unit square that lies right of the edge from a to b, signed by the way that it runs.
+float area_right_of(vec2 a, vec2 b) {
+    float y0 = clamp(a.y, 0.0, 1.0), y1 = clamp(b.y, 0.0, 1.0);
+    if (y0 == y1) return 0.0;
+    float slope = (b.x - a.x) / (b.y - a.y);
+    float x0 = a.x + (y0 - a.y) * slope, x1 = a.x + (y1 - a.y) * slope;
+    vec2 x = vec2(x0, x1), c = clamp(x, 0.0, 1.0);
+    vec2 sums = 0.5 * c * c + max(x - 1.0, 0.0); // integral of x kept within the square
+    float run = x1 - x0;
+    float mean = abs(run) > 0.001 ? (sums.y - sums.x) / run : 0.5 * (c.x + c.y);
+    return (y1 - y0) * (1.0 - clamp(mean, 0.0, 1.0));
+}
+
+float covered_by_edges(bool in_pixels) {
+    mat2 linear = in_pixels ? mat2(1.0) : mat2(to_pixel.xy, to_pixel.zw);
+    vec2 from = (in_pixels ? vec2(0) : places.xy) - floor(gl_FragCoord.xy);
+    float area = 0.0;
+    for (uint i = parts.x, end = parts.x + parts.y; i < end; ++i) {
+        vec4 edge = texel(i);
+        area += area_right_of(linear * edge.xy + from, linear * edge.zw + from);
+    }
+    return min(abs(area), 1.0);
+}
+
+// The share of a pixel on the inner side of a straight edge: how far its centre is inside, and the edge's unit normal.
+//
+//   1 |      ____     a box as wide as the larger part of the normal, blurred by one as wide as the smaller
+//     |     /
+//   0 |____/_____ depth
+float half_plane(float depth, vec2 normal) {
+    vec2 n = abs(normal);
+    float wide = max(n.x, n.y), narrow = min(n.x, n.y), rest = 0.5 * (wide + narrow) - abs(depth);
+    if (rest <= 0.0) return depth > 0.0 ? 1.0 : 0.0;
+    if (abs(depth) <= 0.5 * (wide - narrow)) return 0.5 + depth / wide;
+    float outside = rest * rest / (2.0 * wide * narrow);
+    return depth > 0.0 ? 1.0 - outside : outside;
+}
+
+// The unit circle, however it is stretched, by distance over steepness; `half_width` more than 0 for a stroke.
+float covered_by_circle(float half_width) {
+    mat2 inverse_linear = mat2(to_mesh.xy, to_mesh.zw);
+    float reach = max(length(at), 1e-6);
+    vec2 outward = at / reach, slope = outward * inverse_linear; // how fast `reach` grows, a pixel
+    float steepness = max(length(slope), 1e-12);
+    vec2 normal = slope / steepness;
+    float depth = (1.0 - reach) / steepness;
+    vec2 along = inverse_linear * vec2(-normal.y, normal.x);
+    float turn = outward.x * along.y - outward.y * along.x;
+    float bend = turn * turn / (reach * steepness) / 24.0; // a curve takes its curvature / 24 from a pixel
+    if (half_width <= 0.0) return half_plane(depth - bend, normal);
+    float hole = 1.0 / steepness > half_width ? half_plane(depth - half_width - bend, normal) : 0.0;
+    return max(half_plane(depth + half_width - bend, normal) - hole, 0.0);
+}
+
+float coverage() {
+    uint cover = parts.w & 15u;
+    if (cover == ALL) return 1.0;
+    if (cover >= DISC) return covered_by_circle(cover == DISC ? 0.0 : inside.x);
+    // Half a pixel, and rounding, as a box in mesh coordinates: if that lies within `inside`, no edge is near.
+    vec2 margin = 0.502 * (abs(to_mesh.xy) + abs(to_mesh.zw));
+    if (all(greaterThan(at - margin, inside.xy)) && all(lessThan(at + margin, inside.zw)))
+        return (parts.w & HOLLOW) != 0u ? 0.0 : 1.0;
+    return covered_by_edges(cover != EDGES);
+}
+
+// ---- colour ----
+
+#if FACETS == 1
+// The triangle that the point lies in, or is nearest to: where the least distance to its sides is largest.
+uint facet_at(uint count) {
+    uint best = parts.z;
+    float most = -1e30;
+    for (uint i = 0u; count > 1u && i < count; ++i) {
+        uint facet = parts.z + i * FACET_TEXELS;
+        vec3 a = texel(facet).xyz, b = texel(facet + 1u).xyz, c = texel(facet + 2u).xyz;
+        float least = min(min(dot(a.xy, at) + a.z, dot(b.xy, at) + b.z), dot(c.xy, at) + c.z);
+        if (least > most) most = least, best = facet;
+    }
+    return best;
+}
+
+vec4 facet_colour(uint facet) {
+    vec4 mixed = texel(facet + 5u) * at.x + texel(facet + 6u) * at.y + texel(facet + 7u);
+    return clamp(mixed, texel(facet + 8u), texel(facet + 9u));
+}
+#endif
+
+#if PICTURES >= 1
+// Linear within one of the picture's copies: the largest whose texels are not much smaller than pixels, as `soft` picks it.
+vec4 sample_picture(sampler2D picture, vec2 uv, vec4 steps) {
+    vec2 size = vec2(textureSize(picture, 0));
+    vec2 across = steps.xy * size, down = steps.zw * size;
+    float texels = max(dot(across, across), dot(down, down)); // squared, in one pixel
+    float level = texels > 2.25 ? ceil(0.5 * log2(texels / 2.25)) : 0.0;
+    level = min(level, floor(log2(max(size.x, size.y)) + 0.0001));
+    if ((parts.w & REPEAT) == 0u) {
+        vec2 half_texel = 0.5 / vec2(textureSize(picture, int(level)));
+        uv = clamp(uv, half_texel, 1.0 - half_texel);
+    }
+    return textureLod(picture, uv, level);
+}
+
+vec4 picture_colour(uint facet, uint count) {
+    mat2 steps = mat2(to_mesh.xy, to_mesh.zw); // of mesh coordinates, then of the facet's, from pixel to pixel
+    vec2 uv = at;
+#if FACETS == 1
+    if (count > 0u) {
+        vec3 u = texel(facet + 3u).xyz, v = texel(facet + 4u).xyz;
+        uv = vec2(dot(u.xy, at) + u.z, dot(v.xy, at) + v.z);
+        steps = mat2(vec2(u.x, v.x), vec2(u.y, v.y)) * steps;
+    }
+#endif
+    mat2 to_texture = mat2(texture_matrix.xz, texture_matrix.yw);
+    uv = to_texture * uv + places.zw;
+    steps = to_texture * steps;
+    vec4 both = vec4(steps[0], steps[1]);
+    uint unit = parts.w >> 12 & 15u;
+#if PICTURES >= 8
+    if (unit == 7u) return sample_picture(picture7, uv, both);
+    if (unit == 6u) return sample_picture(picture6, uv, both);
+    if (unit == 5u) return sample_picture(picture5, uv, both);
+    if (unit == 4u) return sample_picture(picture4, uv, both);
+#endif
+#if PICTURES >= 4
+    if (unit == 3u) return sample_picture(picture3, uv, both);
+    if (unit == 2u) return sample_picture(picture2, uv, both);
+#endif
+#if PICTURES >= 2
+    if (unit == 1u) return sample_picture(picture1, uv, both);
+#endif
+    return sample_picture(picture0, uv, both);
+}
+#endif
+
+void main() {
+    result = colour * coverage();
+    uint facet = 0u, facets = parts.w >> 16;
+#if FACETS == 1
+    facet = facet_at(facets);
+    if ((parts.w & COLOURED) != 0u) result *= facet_colour(facet);
+#endif
+#if PICTURES >= 1
+    if ((parts.w & TEXTURED) != 0u) result *= picture_colour(facet, facets);
+#endif
+}
