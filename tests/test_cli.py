@@ -16,6 +16,7 @@ import evilengine
 from evilengine.cli import COMMANDS, doctor, film, main, options, sources
 from evilengine.cli.stage import perform
 from evilengine.platform import HeadlessDevice
+from evilengine.renderer.report import Graphics, graphics
 from evilengine.values.errors import ArgumentError
 
 
@@ -209,6 +210,25 @@ def test_doctor_says_what_it_found(capsys):
     for subject in ("Python", "EvilEngine", "core", "renderer", "devices", "pictures", "fonts"):
         assert f" {subject} " in told
     assert evilengine.__version__ in told
+
+
+@pytest.mark.parametrize(("found", "told", "advice"), [
+    (Graphics("A real card", "1.0", False, ""), "gl: A real card, 1.0 (auto takes it)", ""),
+    (Graphics("llvmpipe", "1.0", True, ""), "gl: llvmpipe, 1.0 (a program on the processor, so auto takes soft)", ""),
+    (Graphics("", "", False, "no driver; apt install one"), "gl: no driver, so auto takes soft", "apt install one"),
+])  # fmt: skip
+def test_doctor_names_the_driver_that_draws(monkeypatch, found, told, advice):
+    monkeypatch.setattr("evilengine.renderer.report.graphics", lambda: found)
+    (finding,) = (each for each in doctor.examine() if each.found.startswith("gl:"))
+    assert finding.found == told
+    assert advice in finding.advice
+
+
+def test_doctor_asks_the_real_driver_and_survives_having_none(monkeypatch):
+    found = graphics()
+    assert bool(found.renderer) != bool(found.problem)
+    monkeypatch.setattr("evilengine.renderer.gl.moderngl_device.make_headless", lambda: 1 / 0)
+    assert graphics() == Graphics("", "", False, "division by zero")
 
 
 def test_doctor_survives_a_check_that_fails(monkeypatch, capsys):

@@ -33,7 +33,7 @@ SANITIZED = ROOT / "build" / "sanitize"
 CPP = [str(path) for suffix in ("hpp", "cpp") for path in sorted((ROOT / "core").rglob(f"*.{suffix}"))]
 
 # Tests that start processes or open windows: they say nothing about the core, and a sanitizer would watch SDL instead.
-NOT_THE_CORE = ("architecture", "cli", "docs", "examples", "import", "screen", "sound_card", "stubs", "window*")
+NOT_THE_CORE = ("architecture", "cli", "docs", "examples", "gl*", "import", "screen", "sound_card", "stubs", "window*")
 
 
 def run(*command: str | Path, **environment: str) -> None:

@@ -74,10 +74,17 @@ def _core() -> Lines:
 
 def _renderer() -> Lines:
     from evilengine.game import Game
+    from evilengine.renderer.report import graphics
 
-    game = Game(headless=True)
+    game = Game(headless=True, renderer="soft")
     best = min(_seconds(game.capture) for _ in range(5))
     yield (f"soft, which needs no graphics card; an empty picture of 960x540 takes {1000 * best:.1f} ms",)
+    found = graphics()
+    if found.renderer:
+        use = "a program on the processor, so auto takes soft" if found.software else "auto takes it"
+        yield (f"gl: {found.renderer}, {found.driver} ({use})",)
+    else:
+        yield ("gl: no driver, so auto takes soft", found.problem)
 
 
 def _seconds(work: Callable[[], object]) -> float:

@@ -10,7 +10,7 @@ import re
 def add_picture_arguments(parser: argparse.ArgumentParser) -> None:
     """--size, --renderer and --debug-view."""
     parser.add_argument("--size", type=size, metavar="WxH", help="size of the picture, such as 960x540")
-    parser.add_argument("--renderer", choices=("auto", "soft"), default="auto", help="who draws (default: auto)")
+    parser.add_argument("--renderer", choices=("auto", "gl", "soft"), default="auto", help="who draws (default: auto)")
     parser.add_argument("--debug-view", action="store_true", help="show outlines, contact normals and gravity")
 
 

@@ -99,7 +99,7 @@ class Player:
         from evilengine.platform import open_device
 
         if self.device is None:
-            self.device = open_device(title, self.size or size)
+            self.device = open_device(title, self.size or size, gl=self.renderer != "soft")
         self.device.title = title
         return self.device
 

@@ -44,9 +44,10 @@ class Game(Controls, Things):
 
     `size` is in logical points; 50 of them show a metre unless `view_height` says how many metres the screen is high.
     `headless=True` needs no screen: tests drive `game.device`, and `game.capture()` gives the picture. `renderer` is
-    "auto" or "soft"; `sound` is "auto" (the sound card, and none where there is no window), "none", or the name of a
-    .wav file to write. With `tilt=True` gravity follows how the device is held, or the arrow keys, wheel or stick that
-    stand in for it. `seed` starts `game.random`. Files are found beside the script that runs, or in `folder`.
+    "gl" (the graphics card), "soft" (the processor), or "auto": the card if there is one. `sound` is "auto" (the sound
+    card, and none where there is no window), "none", or the name of a .wav file to write. With `tilt=True` gravity
+    follows how the device is held, or the arrow keys, wheel or stick that stand in for it. `seed` starts
+    `game.random`. Files are found beside the script that runs, or in `folder`.
 
     Its callbacks are decorators. Each step: `on_key_press(key)`, `on_key_release(key)`, `on_pointer(pointer)`,
     `on_touch(touch)`, `on_tilt(tilt)` and `on_shake()` for what the player did, then the timer's events, then
@@ -94,7 +95,9 @@ class Game(Controls, Things):
         self.folder = script_folder() if folder is None else Path(folder)
         self.camera = Camera(view_height=view_height)
         output = open_output(sound)
-        self.device = device or open_device(title, size, headless)  # last: nothing after it can leave a window behind
+        # Last: nothing after it can leave a window behind.
+        self.device = device or open_device(title, size, headless, gl=renderer != "soft")
+        self.renderer.attach(self.device.surface)
         self.camera.size = self.device.size
         self._pictures = Pictures(self.renderer, Images(self.folder, Path.cwd()), scale=self.device.scale)
         self.scene = Scene(self.world, textures=self._pictures.texture, fonts=self._pictures.font)
@@ -136,7 +139,7 @@ class Game(Controls, Things):
             self._step()
         self._alpha = tick.alpha
         self._draw()
-        self.device.show(self.renderer.pixels, self.device.pixel_size)
+        self.renderer.show(self.device)
         self._hear(paused=self.paused)
 
     @known_keywords
@@ -306,6 +309,7 @@ class Game(Controls, Things):
         """Close the window. A game that has ended can still be asked, not shown."""
         self.running = False
         self.audio.close()
+        self.renderer.attach(None)
         self.device.close()
 
     def capture(self) -> Image:

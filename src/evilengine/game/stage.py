@@ -39,14 +39,14 @@ def keep_pace(device: Device, began: float) -> None:
 STAGE: ContextVar[Stage | None] = ContextVar("evilengine_stage", default=None)
 
 
-def open_device(title: str, size: tuple[int, int], headless: bool) -> Device:
-    """What the stage gives, else a window, else a device without a screen."""
+def open_device(title: str, size: tuple[int, int], headless: bool, *, gl: bool) -> Device:
+    """What the stage gives, else a window, with GL if wanted, else a device without a screen."""
     stage = STAGE.get()
     if stage is not None:
         return stage.open(title, size)
     if not headless:
         try:
-            return platform.open_device(title, size)
+            return platform.open_device(title, size, gl=gl)
         except DeviceError:
             screen = platform.screen_available()
             if screen:

@@ -14,13 +14,20 @@ __all__ = ["DesktopDevice", "Device", "HeadlessDevice", "Screen", "Speaker", "op
 
 @known_keywords
 def open_device(
-    title: str = "EvilEngine", size: tuple[int, int] = (960, 540), *, headless: bool = False, vsync: bool = True
+    title: str = "EvilEngine",
+    size: tuple[int, int] = (960, 540),
+    *,
+    headless: bool = False,
+    vsync: bool = True,
+    gl: bool = False,
 ) -> DesktopDevice | HeadlessDevice:
     """A window, or with `headless=True` a device without a screen. Raises DeviceError where no window can be opened.
+
+    With `gl=True` the window has a `surface` for a renderer to draw on, where there is a driver for it.
 
     >>> open_device("Tilt", (640, 360), headless=True).size
     (640, 360)
     """
     if headless:
         return HeadlessDevice(size, title=title)
-    return DesktopDevice(title, size, vsync=vsync)
+    return DesktopDevice(title, size, vsync=vsync, gl=gl)

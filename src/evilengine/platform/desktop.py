@@ -11,6 +11,7 @@ from typing import Any
 from evilengine.platform import sdl as library
 from evilengine.platform.device import to_picture, to_size
 from evilengine.platform.sdl_events import Translator
+from evilengine.platform.sdl_gl import GlSurface, open_window
 from evilengine.values.checks import known_keywords
 from evilengine.values.errors import ArgumentTypeError, DeviceError
 from evilengine.values.events import Event, ResizeEvent
@@ -26,15 +27,24 @@ class DesktopDevice:
 
     Raises DeviceError, which says why in one line, where no window can be opened. There is one window at a time. It
     must be used by the thread that made it, on some systems the main one.
+
+    With `gl=True` it has a `surface` to draw on, where the driver grants one. The first picture that is shown instead
+    closes it.
     """
 
     @known_keywords
-    def __init__(self, title: str = "EvilEngine", size: tuple[int, int] = (960, 540), *, vsync: bool = True) -> None:
+    def __init__(
+        self, title: str = "EvilEngine", size: tuple[int, int] = (960, 540), *, vsync: bool = True, gl: bool = False
+    ) -> None:
         wanted, self._title = to_size(size, "DesktopDevice"), _to_title(title)
         self._sdl = sdl = library.load()
         _claim(self)
         self._window = self._renderer = self._texture = self._translator = None
+        self._surface: GlSurface | None = None
+        self.vsync = False
+        self._driver = ""
         self._texture_size = (0, 0)
+        self._wants_vsync = bool(vsync)
         self._resources = contextlib.ExitStack()
         self._finalizer = weakref.finalize(self, self._resources.close)
         try:
@@ -42,8 +52,9 @@ class DesktopDevice:
             self._resources.callback(library.stop_video, sdl)
             with library.quiet():
                 self._open_inputs()
-                self._open_window(wanted)
-                self._open_renderer(bool(vsync))
+                self._open_window(wanted, gl)
+                if self._surface is None:
+                    self._open_renderer()
             # What closes the window must not hold this device, or nothing would ever let go of it.
             self._translator = Translator(sdl, self._window, partial(_ask, sdl.SDL_GetWindowSize, self._window))
             self._resources.callback(self._translator.close)
@@ -71,7 +82,11 @@ class DesktopDevice:
     @property
     def pixel_size(self) -> tuple[int, int]:
         """Width and height in real pixels; more than `size` on a high-resolution screen."""
-        return _ask(self._sdl.SDL_GetRendererOutputSize, self._renderer) if self.is_open else self._known_size[1]
+        if self.surface is not None:
+            return self.surface.pixel_size
+        if self.is_open and self._renderer:
+            return _ask(self._sdl.SDL_GetRendererOutputSize, self._renderer)
+        return _ask(self._sdl.SDL_GL_GetDrawableSize, self._window) if self.is_open else self._known_size[1]
 
     @property
     def scale(self) -> float:
@@ -82,6 +97,11 @@ class DesktopDevice:
     def is_open(self) -> bool:
         """False once `close` was called."""
         return self._finalizer.alive
+
+    @property
+    def surface(self) -> GlSurface | None:
+        """The GL context to draw with, None where there is none or it was closed."""
+        return self._surface if self._surface is not None and self._surface.is_open else None
 
     @property
     def driver(self) -> str:
@@ -114,6 +134,8 @@ class DesktopDevice:
         flat, picture_size = to_picture(pixels, size, "Device.show()")
         self._require_open("Device.show()")
         sdl = self._sdl
+        if not self._renderer:
+            self._leave_gl()
         if picture_size != self._texture_size:
             self._make_texture(picture_size)
         address, keeper = _address(flat)
@@ -139,20 +161,35 @@ class DesktopDevice:
             if self._sdl.SDL_InitSubSystem(kind) == 0:
                 self._resources.callback(self._sdl.SDL_QuitSubSystem, kind)
 
-    def _open_window(self, size: tuple[int, int]) -> None:
+    def _open_window(self, size: tuple[int, int], gl: bool) -> None:
         sdl = self._sdl
         flags = sdl.SDL_WINDOW_RESIZABLE | sdl.SDL_WINDOW_ALLOW_HIGHDPI | sdl.SDL_WINDOW_SHOWN
         anywhere = sdl.SDL_WINDOWPOS_UNDEFINED
-        self._window = sdl.SDL_CreateWindow(self._title.encode(), anywhere, anywhere, *size, flags)
+        context = None
+        if gl:
+            self._window, context = open_window(sdl, self._title.encode(), size, flags)
+        if not self._window:
+            self._window = sdl.SDL_CreateWindow(self._title.encode(), anywhere, anywhere, *size, flags)
         if not self._window:
             raise DeviceError(f"no window: {library.why(sdl)}")
         self._resources.callback(sdl.SDL_DestroyWindow, self._window)
+        if context:
+            self._surface = GlSurface(sdl, self._window, context, vsync=self._wants_vsync)
+            self._resources.callback(self._surface.close)
+            self.vsync, self._driver = self._surface.vsync, "opengl"
         sdl.SDL_SetWindowMinimumSize(self._window, *(min(pair) for pair in zip(SMALLEST, size, strict=True)))
 
-    def _open_renderer(self, vsync: bool) -> None:
+    def _leave_gl(self) -> None:
+        """From drawing on the window to showing pictures in it."""
+        if self._surface is not None:
+            self._surface.close()
+        with library.quiet():
+            self._open_renderer()
+
+    def _open_renderer(self) -> None:
         """The graphics card where there is one; the processor where there is none, or where it plays the card."""
         sdl = self._sdl
-        wait = sdl.SDL_RENDERER_PRESENTVSYNC if vsync else 0
+        wait = sdl.SDL_RENDERER_PRESENTVSYNC if self._wants_vsync else 0
         for flags in (sdl.SDL_RENDERER_ACCELERATED | wait, sdl.SDL_RENDERER_SOFTWARE | wait, sdl.SDL_RENDERER_SOFTWARE):
             renderer = sdl.SDL_CreateRenderer(self._window, -1, flags)
             if renderer and flags & sdl.SDL_RENDERER_ACCELERATED and _is_slow(sdl):
@@ -166,7 +203,7 @@ class DesktopDevice:
         self._resources.callback(sdl.SDL_DestroyRenderer, renderer)
         info = sdl.SDL_RendererInfo()
         sdl.SDL_GetRendererInfo(renderer, ctypes.byref(info))
-        self._driver: str = (info.name or b"").decode()
+        self._driver = (info.name or b"").decode()
         self.vsync = bool(flags & info.flags & sdl.SDL_RENDERER_PRESENTVSYNC)
 
     def _make_texture(self, size: tuple[int, int]) -> None:

@@ -7,6 +7,7 @@ from typing import Protocol
 
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
 from evilengine.values.events import Event
+from evilengine.values.surface import Surface
 
 MOST_POINTS = 16384
 """Widest and highest window, in points: what graphics drivers take as a texture's side."""
@@ -34,6 +35,10 @@ class Device(Protocol):
     @property
     def is_open(self) -> bool:
         """False once `close` was called."""
+
+    @property
+    def surface(self) -> Surface | None:
+        """The GL context of the window, to draw on instead of showing pictures; None where there is none."""
 
     def poll(self) -> tuple[Event, ...]:
         """What happened since the last call, in order."""

@@ -31,6 +31,7 @@ from evilengine.values.events import (
     key_name,
 )
 from evilengine.values.image import Image
+from evilengine.values.surface import Surface
 from evilengine.values.vec2 import Point, Vec2, to_vec2
 
 FURTHEST = 1.0e6
@@ -92,6 +93,11 @@ class HeadlessDevice:
     def is_open(self) -> bool:
         """False once `close` was called."""
         return self._open
+
+    @property
+    def surface(self) -> Surface | None:
+        """None: there is no window."""
+        return None
 
     def poll(self) -> tuple[Event, ...]:
         """What happened since the last call, in order."""
