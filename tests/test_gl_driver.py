@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from evilengine.renderer import open_renderer
 from evilengine.renderer.gl import GlRenderer, moderngl_device, shaders
 from evilengine.renderer.gl.device import ContextLost, Source
 from evilengine.renderer.gl.moderngl_device import ModernGlDevice, is_software
+from evilengine.renderer.report import graphics
 from evilengine.renderer.soft import SoftRenderer
 from evilengine.renderer.steady import SteadyRenderer
 from evilengine.values.drawlist import DrawList
@@ -94,6 +96,16 @@ def test_a_refused_context_is_replaced_by_software_with_a_line_if_it_was_asked_f
     told = capsys.readouterr().err.splitlines()
     assert len(told) == lines
     assert all("no driver; it is drawn in software" in line for line in told)
+
+
+def test_a_machine_without_moderngl_draws_in_software_and_says_what_to_install(monkeypatch: Any, capsys: Any) -> None:
+    monkeypatch.delattr("evilengine.renderer.gl.moderngl_device")
+    monkeypatch.setitem(sys.modules, "evilengine.renderer.gl.moderngl_device", None)
+    assert open_renderer("gl").name == "soft"
+    assert "pip install moderngl; it is drawn in software" in capsys.readouterr().err
+    assert open_renderer("auto").name == "soft"
+    assert capsys.readouterr().err == ""
+    assert "pip install moderngl" in graphics().problem
 
 
 def test_a_window_whose_context_is_gone_before_the_first_frame_is_drawn_in_software(capsys: Any) -> None:

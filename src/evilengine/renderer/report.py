@@ -24,6 +24,8 @@ def graphics() -> Graphics:
         from evilengine.renderer.gl.moderngl_device import is_software, make_headless
 
         device = make_headless()
+    except ImportError as error:
+        return Graphics("", "", False, f"{error}; pip install moderngl")
     except Exception as error:  # drivers fail in ways of their own
         return Graphics("", "", False, " ".join(str(error).split()) or type(error).__name__)
     return Graphics(device.renderer, device.driver, is_software(device.renderer), "")

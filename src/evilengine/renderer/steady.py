@@ -135,7 +135,7 @@ class SteadyRenderer:
             if self._software:
                 raise
             self._notice(f"{error}; it is drawn in software")
-        except (DeviceError, ImportError) as error:
+        except DeviceError as error:
             if self._software:  # somebody asked for it by name
                 self._notice(f"{error}; it is drawn in software")
         self._failed = True

@@ -8,7 +8,7 @@ from evilengine import _core
 from evilengine.renderer.gl.device import GraphicsDevice
 from evilengine.renderer.gl.pipeline import Pipeline
 from evilengine.values.drawlist import DrawList
-from evilengine.values.errors import ArgumentError
+from evilengine.values.errors import ArgumentError, DeviceError
 from evilengine.values.image import Image
 from evilengine.values.surface import Shows, Surface
 
@@ -18,8 +18,10 @@ def open_gl(surface: Surface | None = None, *, software: bool = True) -> GlRende
 
     With `software=False` a driver that plays a graphics card on the processor gives None, and a window's GL is closed.
     """
-    from evilengine.renderer.gl import moderngl_device
-
+    try:
+        from evilengine.renderer.gl import moderngl_device
+    except ImportError as error:
+        raise DeviceError(f"OpenGL: {error}; try pip install moderngl") from None
     device = moderngl_device.open_on(surface) if surface is not None else moderngl_device.open_headless()
     if not software and moderngl_device.is_software(device.renderer):
         if surface is not None:
