@@ -688,20 +688,6 @@ class Raster:
 def unpremultiply(pixels: object) -> None:
     """Turn pixels multiplied with alpha into straight ones, in place."""
 
-class SavedScene:
-    """A scene that was read and found whole."""
-
-    def __init__(self, arg: bytes, /) -> None: ...
-
-    @property
-    def textures(self) -> int: ...
-
-    @property
-    def places(self) -> list[tuple[int, int, int]]:
-        """
-        (slot, body's slot, shape's slot) of each drawing, in the order of creation.
-        """
-
 class Memory:
     """Bytes of the core, read-only, without a copy."""
 
@@ -745,6 +731,20 @@ def mipmaps(pixels: object, width: int, height: int) -> list[tuple[int, int, byt
     """
     A picture of straight r, g, b, a and its smaller copies: width, height, bytes multiplied with alpha.
     """
+
+class SavedScene:
+    """A scene that was read and found whole."""
+
+    def __init__(self, arg: bytes, /) -> None: ...
+
+    @property
+    def textures(self) -> int: ...
+
+    @property
+    def places(self) -> list[tuple[int, int, int]]:
+        """
+        (slot, body's slot, shape's slot) of each drawing, in the order of creation.
+        """
 
 class Scene:
     """Drawings by slot and generation; evilengine.scene is the face."""
