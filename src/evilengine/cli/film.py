@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 import sys
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, TextIO
+from typing import TYPE_CHECKING, TextIO, cast
 
 from evilengine.assets.film import save_film
 from evilengine.cli import autosave
@@ -18,6 +19,7 @@ from evilengine.values.tick import STEP
 
 if TYPE_CHECKING:
     from evilengine.game import Game
+    from evilengine.game.replaying import Playback
     from evilengine.values.image import Image
 
 SWAY_SECONDS = 5.0
@@ -44,11 +46,13 @@ class Shot:
     debug_view: bool = False
     resume: bool = False
     """Does it begin where the game's window was closed?"""
+    record: Path | None = None
+    """Where what is filmed is recorded, for `evil replay`."""
 
 
 def film(path: Path, target: Path, shot: Shot, *, seconds: float = 10.0, fps: float = 30.0) -> Path:
     """Write `seconds` of the level or game at `path` to `target`, with a bar on a terminal, and return `target`."""
-    _check_ending(target, FILMS, "a film")
+    check_ending(target, FILMS, "a film")
     if seconds * fps > MOST_FRAMES:
         raise ArgumentError(
             f"{seconds:g} s at {fps:g} frames a second are more than {MOST_FRAMES} frames; make it shorter"
@@ -58,7 +62,7 @@ def film(path: Path, target: Path, shot: Shot, *, seconds: float = 10.0, fps: fl
 
 def picture(path: Path, target: Path, shot: Shot, *, at: float) -> Path:
     """Write how the level or game at `path` looks after `at` seconds to `target`, and return `target`."""
-    _check_ending(target, PICTURES, "a picture")
+    check_ending(target, PICTURES, "a picture")
     return _perform(path, target, _Picture(path, target, shot, at), shot)
 
 
@@ -72,7 +76,7 @@ def sway(seconds: float) -> tuple[float, float]:
     return math.sin(angle), -math.cos(angle)
 
 
-class _Screen(HeadlessDevice):
+class Screen(HeadlessDevice):
     """A device for a game of `size` points on a picture of so many pixels; where their shapes differ, it shows more.
 
     A strip so long and thin that more would be beyond what a device may show, shows less.
@@ -103,7 +107,7 @@ class _Camera:
         self.done = False
 
     def open(self, title: str, size: tuple[int, int]) -> HeadlessDevice:
-        self.device = _Screen(title, size, self.shot.size or size)
+        self.device = Screen(title, size, self.shot.size or size)
         return self.device
 
     def run(self, game: Game) -> None:
@@ -111,6 +115,10 @@ class _Camera:
             game.debug = game.debug or self.shot.debug_view
             if self.shot.resume:
                 autosave.resume(game, self.path)
+            if self.shot.record is not None:
+                from evilengine.game import replaying
+
+                game._recorder = replaying.record(game, self.shot.record, level=self.path.suffix != ".py")
             self.done = True
             self.shoot(game)
         game.close()
@@ -139,6 +147,29 @@ class _Film(_Camera):
         save_film(pictures, self.target, fps=self.fps, progress=lambda count: bar(count / self.frames))
 
 
+class Reel:
+    """A film of a recording, from its first step to its last."""
+
+    def __init__(self, target: Path, shot: Shot, fps: float) -> None:
+        self.target = target
+        self.shot = shot
+        self.fps = fps
+
+    def __call__(self, game: Game, playback: Playback) -> None:
+        frames = max(1, round(len(playback.replay.steps) * STEP * self.fps))
+        if frames > MOST_FRAMES:
+            raise ArgumentError(f"{self.target}: {frames} frames are more than {MOST_FRAMES}; ask for fewer with --fps")
+        bar = Bar(self.target.name)
+        save_film(self._frames(game, playback), self.target, fps=self.fps, progress=lambda count: bar(count / frames))
+
+    def _frames(self, game: Game, playback: Playback) -> Iterator[Image]:
+        count = 0
+        while game.running and not playback.over:
+            game.frame(count / self.fps)
+            yield cast(HeadlessDevice, game.device).shown or game.capture()
+            count += 1
+
+
 class _Picture(_Camera):
     def __init__(self, path: Path, target: Path, shot: Shot, at: float) -> None:
         super().__init__(path, target, shot)
@@ -157,7 +188,7 @@ def _perform(path: Path, target: Path, stage: _Camera, shot: Shot) -> Path:
     return target
 
 
-def _check_ending(target: Path, endings: tuple[str, ...], what: str) -> None:
+def check_ending(target: Path, endings: tuple[str, ...], what: str) -> None:
     if target.suffix.lower() not in endings:
         raise ArgumentError(f"{target} must end in {', '.join(endings[:-1])} or {endings[-1]} to be {what}")
 

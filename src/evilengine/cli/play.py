@@ -23,6 +23,7 @@ import tempfile
 from pathlib import Path
 
 from evilengine.cli import options, sources
+from evilengine.values.errors import ArgumentError
 
 FILM_SECONDS = 10.0
 
@@ -34,6 +35,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="go on where the window was closed; without a name, with what was played last",
     )
+    parser.add_argument(
+        "--record", metavar="FILE", help="record what the player does to FILE (.evr), for `evil replay`"
+    )
     parser.add_argument("--headless", action="store_true", help="open no window: film it")
     parser.add_argument("--film", metavar="FILE", help="film it to FILE (.webp, .gif, .png) instead of playing")
     parser.add_argument("--seconds", type=options.seconds, metavar="S", help="stop after S seconds")
@@ -41,18 +45,24 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    path = _what(args)
+    path, recording = _what(args), None
+    if args.record:
+        recording = Path(args.record)
+        if recording.suffix != ".evr":
+            raise ArgumentError(f"--record {recording} must end in .evr")
     if args.headless or args.film or not _screen():
         from evilengine.cli import film
 
         target = Path(args.film) if args.film else _writable_folder() / f"{path.stem}.webp"
-        shot = film.Shot(size=args.size, renderer=args.renderer, debug_view=args.debug_view, resume=args.resume)
+        shot = film.Shot(
+            size=args.size, renderer=args.renderer, debug_view=args.debug_view, resume=args.resume, record=recording
+        )
         print(film.film(path, target, shot, seconds=args.seconds or FILM_SECONDS))
         return 0
     from evilengine.cli.player import Player
 
     looks = {"size": args.size, "renderer": args.renderer, "debug_view": args.debug_view}
-    return Player(path, **looks, seconds=args.seconds, resume=args.resume).play()
+    return Player(path, **looks, seconds=args.seconds, resume=args.resume, record=recording).play()
 
 
 def _what(args: argparse.Namespace) -> Path:

@@ -54,6 +54,7 @@ class Player:
         debug_view: bool = False,
         seconds: float | None = None,
         resume: bool = False,
+        record: Path | None = None,
         device: Device | None = None,
         clock: Callable[[], float] = time.perf_counter,
     ) -> None:
@@ -63,6 +64,8 @@ class Player:
         self.debug_view = debug_view
         self.seconds = seconds
         self.resume = resume
+        self.record = record
+        self._recordings = 0
         self.device = device
         self.is_level = path.suffix != ".py"
         self.game: Game | None = None
@@ -109,8 +112,11 @@ class Player:
             self.resume = False
             autosave.resume(game, self.path)
         self._take(game)
-        with self._ending_when_told():
-            over = self._play()
+        try:
+            with self._ending_when_told():
+                over = self._play()
+        finally:
+            self._stop_recording()
         if over and self.game is not None:
             autosave.write(self.game, self.path)
 
@@ -164,12 +170,26 @@ class Player:
         """Put `game` into the window, with the keys of this player; the one before it is heard no more."""
         if self.game is not None:
             self.game.audio.close()
+        self._stop_recording()
         self.game = game
+        if self.record is not None:
+            from evilengine.game import replaying
+
+            game._recorder = replaying.record(game, self._next_recording(self.record), level=self.is_level)
         game.debug = game.debug or self.debug_view
         game.on_event(self._key)
         words = (TILT_HINT if game.tilt else "") + (LEVEL_HINT if self.is_level else HINT)
         self._hint = game.scene.overlay(words, at=(0, 26), anchor="top", size=15, colour="#ffffffc0")
         self._hint_until = game.world.time + HINT_SECONDS
+
+    def _next_recording(self, first: Path) -> Path:
+        """r.evr, and each time that the player starts again r-2.evr, r-3.evr, ..."""
+        self._recordings += 1
+        return first if self._recordings == 1 else first.with_stem(f"{first.stem}-{self._recordings}")
+
+    def _stop_recording(self) -> None:
+        if self.game is not None and self.record is not None:
+            self.game._stop_recording()
 
     def _key(self, event: Event) -> None:
         if not isinstance(event, KeyEvent) or not event.down or self.game is None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import random
 import time
 from collections.abc import Callable
@@ -11,14 +12,14 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from evilengine.assets import Images, Pictures
 from evilengine.audio import Audio, Listener
-from evilengine.game import saving
+from evilengine.game import replaying, saving
 from evilengine.game.controls import Controls
 from evilengine.game.output import SHIPPED, for_device, open_output
-from evilengine.game.stage import STAGE, keep_pace, open_device, script_folder
+from evilengine.game.stage import STAGE, keep_pace, open_device, script_folder, to_path
 from evilengine.game.things import Things
 from evilengine.platform import Device, HeadlessDevice
 from evilengine.renderer import open_renderer
-from evilengine.save import Functions, Slots
+from evilengine.save import Functions, Recorder, Replay, Slots
 from evilengine.scene import Camera, DrawnBody, Scene
 from evilengine.timer import Clock, Schedule
 from evilengine.values.callbacks import Callbacks
@@ -26,6 +27,7 @@ from evilengine.values.checks import known_keywords, number
 from evilengine.values.errors import ArgumentTypeError, Error
 from evilengine.values.events import CloseEvent, Event, ResizeEvent
 from evilengine.values.image import Image
+from evilengine.values.inputs import Inputs
 from evilengine.values.tick import STEP
 from evilengine.values.vec2 import Point, Vec2
 from evilengine.world.world import World
@@ -112,6 +114,8 @@ class Game(Controls, Things):
         self.levels: list[Level] = []
         """The levels at play, in the order in which they were loaded."""
         self._functions = Functions()
+        self._recorder: Recorder | None = None
+        self._playback: replaying.Playback | None = None
         self._clock = Clock()
         self._alpha = 1.0
         self._busy = ""  # inside which part of a frame a callback runs
@@ -161,14 +165,15 @@ class Game(Controls, Things):
             if isinstance(event, CloseEvent):
                 self.quit()
             elif isinstance(event, ResizeEvent):
-                self.camera.size = event.size
+                if self._playback is None or self._playback.over:
+                    self.camera.size = event.size
                 self._pictures.scale = self.device.scale
             self.on_event.run(event)
 
     def _step(self) -> None:
         self._busy = "a step"
         try:
-            self._inputs = self._interaction.snapshot(self.camera.to_world, STEP)
+            self._inputs = self._inputs_of_step()
             self._tell_inputs(self._inputs, self.world)
             self.timer.run_due()
             self.on_update.run(STEP)
@@ -177,8 +182,25 @@ class Game(Controls, Things):
             self.world.step(STEP)
         finally:
             self._busy = ""
+        self._note_step()
         self._hear()
         self._do_what_waited()
+
+    def _inputs_of_step(self) -> Inputs:
+        """What the player does, or did when this was recorded."""
+        inputs = self._interaction.snapshot(self.camera.to_world, STEP)
+        if self._playback is not None and not self._playback.over:
+            inputs = self._playback.begin_step()
+        if self._recorder is not None:
+            self._recorder.begin_step(inputs, self.camera.size)
+        return inputs
+
+    def _note_step(self) -> None:
+        """Note for a recording what came of the step, and compare it with what was recorded."""
+        if self._playback is not None:
+            self._playback.end_step()
+        if self._recorder is not None and self._recorder.steps % replaying.interval_of(self) == 0:
+            self._recorder.end_step(replaying.sums_of(self))
 
     def _draw(self) -> None:
         self._busy = "drawing"
@@ -255,6 +277,48 @@ class Game(Controls, Things):
         self._functions.register(name, function)
         return function
 
+    @known_keywords
+    def record(self, path: str | Path) -> Recorder:
+        """Record every step from now on into a file (.evr), until the game or the recording is closed.
+
+        A recording holds what the player did and sums of what came of it; `evil replay` plays it, and says where the
+        game first parts from it. A game in Python is best recorded from its first step; later, it must be one that can
+        be saved. Raises SaveError if the file cannot be written.
+        """
+        if getattr(STAGE.get(), "replays", False):  # a program that is played from a recording of it
+            path = os.devnull
+        recorder = replaying.record(self, to_path(path, "Game.record"))
+        self._stop_recording()
+        self._recorder = recorder
+        return recorder
+
+    @known_keywords
+    def replay(self, path: str | Path) -> replaying.Playback:
+        """Take the player's part from a recording, for as many steps as it has.
+
+        The game must have been made as the recorded one was; its own keys and fingers count again when the recording is
+        over. The playback's `difference` says where the game first came out otherwise, None if nowhere.
+
+        >>> def play():
+        ...     game = Game(headless=True)
+        ...     ball = game.add(evil.Circle(0.5), at=(0, 4))
+        ...     return game
+        >>> game = play()
+        >>> recording = game.record("fall.evr"); game.step(60); recording.close()
+        >>> again = play()
+        >>> playback = again.replay("fall.evr"); again.step(60)
+        >>> playback.over, playback.difference
+        (True, None)
+        """
+        self._refuse_in_a_callback("Game.replay")
+        self._playback = replaying.play(self, Replay.read(to_path(path, "Game.replay")))
+        return self._playback
+
+    def _stop_recording(self) -> None:
+        if self._recorder is not None:
+            self._recorder.close()
+            self._recorder = None
+
     def _when_free(self, do: Callable[[], object]) -> None:
         """Do it now or, inside a callback, when the part of the frame that called it is over."""
         if self._busy:
@@ -308,6 +372,7 @@ class Game(Controls, Things):
     def close(self) -> None:
         """Close the window. A game that has ended can still be asked, not shown."""
         self.running = False
+        self._stop_recording()
         self.audio.close()
         self.renderer.attach(None)
         self.device.close()

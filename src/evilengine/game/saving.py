@@ -39,14 +39,21 @@ NOT_SOUND = (ArithmeticError, AttributeError, LookupError, RecursionError, TypeE
 
 
 def save(game: Game, slots: Slots, path: Path, origin: str = "") -> None:
-    """Write the game into a slot."""
+    """Write the game into a slot; while a recording is played, what it saved then stays as it is."""
+    if game._playback is not None and not game._playback.over:
+        return
     slots.write(path, to_bytes(game, origin), lambda data: SAVED_GAME.read(data, path.name))
 
 
 def resume(game: Game, slots: Slots, path: Path) -> None:
-    """Read the game from a slot."""
+    """Read the game from a slot; while a recording is played, from there."""
+    if game._playback is not None and game._playback.resumes:
+        from_bytes(game, game._playback.resumed(), path.name)
+        return
     sections = slots.read(path, SAVED_GAME.read)
     _become(game, sections, path.name)
+    if game._recorder is not None:
+        game._recorder.resumed(SAVED_GAME.write(sections))
 
 
 def origin_of(slots: Slots, path: Path) -> str:

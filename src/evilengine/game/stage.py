@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from evilengine import platform
 from evilengine.platform import Device
-from evilengine.values.errors import DeviceError
+from evilengine.values.errors import ArgumentTypeError, DeviceError
 from evilengine.values.tick import STEP
 
 if TYPE_CHECKING:
@@ -59,3 +59,10 @@ def script_folder() -> Path:
     """The folder of the script that runs, else the current one."""
     file = getattr(sys.modules.get("__main__"), "__file__", None)
     return Path(file).resolve().parent if file else Path.cwd()
+
+
+def to_path(value: object, owner: str) -> Path:
+    """`value` as a path, or an error that names `owner`."""
+    if not isinstance(value, (str, Path)) or not str(value):
+        raise ArgumentTypeError(f"{owner}: path={value!r} must be the name of a file")
+    return Path(value)
