@@ -37,6 +37,13 @@ def moment(text: str) -> float:
     return _number(text, 0.0, 3600.0, "a number of seconds, 0 to 3600")
 
 
+def count(text: str) -> int:
+    """A whole number, 1 to a million."""
+    if not (text.isdecimal() and 1 <= int(text) <= 1_000_000):
+        raise argparse.ArgumentTypeError(f"{text!r} must be a whole number, 1 to 1000000")
+    return int(text)
+
+
 def fps(text: str) -> float:
     """Frames a second: 1 to 120."""
     return _number(text, 1.0, 120.0, "a number of frames a second, 1 to 120")

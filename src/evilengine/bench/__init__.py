@@ -1,0 +1,3 @@
+"""Scenes that benchmarks, tests and the testbed share, and what measures them: `evil bench physics`."""
+
+from evilengine.bench import scenes as scenes  # they enter themselves into SCENES
