@@ -3,6 +3,7 @@
 namespace evil {
 
 void World::step(float dt, int substeps) {
+    Threads::Shift shift(threads);
     previous = present;
     find_pairs(broad, shapes, bodies, dt, contacts.scratch.pairs); // approximate: whose bounds meet
     match_pairs(contacts, shapes);
@@ -39,7 +40,9 @@ void publish(World& world, std::uint32_t slot) {
 }
 
 void publish_all(World& world) {
-    for (std::uint32_t slot = 0; slot < world.bodies.slots.size(); ++slot) publish(world, slot);
+    parallel_for(world.threads, world.bodies.slots.size(), 256, [&](std::size_t first, std::size_t last) {
+        for (std::size_t slot = first; slot < last; ++slot) publish(world, static_cast<std::uint32_t>(slot));
+    });
 }
 
 } // namespace evil

@@ -5,6 +5,7 @@
 #include "forces/forces.hpp"
 #include "published.hpp"
 #include "solver/solver.hpp"
+#include "threads.hpp"
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,6 +36,9 @@ struct World {
 
     // Which kernels it runs on; the bits are the same with any
     InstructionSet instruction_set = best_instruction_set();
+
+    // Who works on it; the bits are the same with any number
+    Threads threads;
 
     // Scratch: losing it changes nothing
     BroadPhase broad;

@@ -274,6 +274,10 @@ void register_world(nb::module_& module) {
             raise(ErrorKind::argument, "World: instruction_set=" + wanted + " is not one that this machine can run");
         },
         "Which kernels it runs on. The bits are the same with any; tests compare them.");
+    c.def_prop_rw(
+        "threads", [](const World& w) { return w.threads.count(); },
+        [](World& w, int count) { w.threads.set_count(count); },
+        "How many threads a step may use. The bits are the same with any number.");
     c.def_ro("steps", &World::steps);
     c.def_ro("time", &World::time);
     bind_objects(c);

@@ -135,6 +135,15 @@ class World:
     def instruction_set(self, arg: str, /) -> None: ...
 
     @property
+    def threads(self) -> int:
+        """
+        How many threads a step may use. The bits are the same with any number.
+        """
+
+    @threads.setter
+    def threads(self, arg: int, /) -> None: ...
+
+    @property
     def steps(self) -> int: ...
 
     @property

@@ -31,7 +31,7 @@ class World:
     """Bodies, forces and contacts, and the step that moves them.
 
     `gravity` in m/s2; `sleep` lets bodies that rest cost nothing; `threads` is how many threads a step may use (the
-    result is the same for any number; steps run on one for now). Metres, seconds, kilograms, radians; y is up.
+    result is the same for any number). Metres, seconds, kilograms, radians; y is up.
 
     >>> world = evil.World(gravity=(0, -10))
     >>> ball = world.add(evil.Circle(0.5), at=(0, 10))
@@ -56,7 +56,7 @@ class World:
         self.sleep = sleep
         if isinstance(threads, bool) or not isinstance(threads, int) or not 1 <= threads <= 256:
             raise ArgumentError(f"World: threads={threads!r} must be a whole number from 1 to 256")
-        self._threads = threads
+        self._core.threads = threads
 
     # -- what it is --
 
@@ -86,7 +86,7 @@ class World:
     @property
     def threads(self) -> int:
         """How many threads a step may use."""
-        return self._threads
+        return self._core.threads
 
     @property
     def time(self) -> float:
