@@ -32,6 +32,8 @@ class Scene:
     gravity: tuple[float, float]
     warm: int
     """Steps until it is worth timing."""
+    steps: int
+    """Steps that benchmarks time."""
     centre: tuple[float, float]
     height: float
     """What a camera should see: metres, at the testbed's size."""
@@ -66,6 +68,7 @@ def scene(
     centre: tuple[float, float],
     height: float,
     warm: int = 0,
+    steps: int = 100,
     gravity: tuple[float, float] = (0.0, -10.0),
 ) -> Callable[[Fill], Fill]:
     """Decorator: the function below is a scene of this name; the first line of its docstring says what it shows."""
@@ -75,7 +78,7 @@ def scene(
         about = (fill.__doc__ or "").strip().splitlines()[0].rstrip(".")
         SCENES[name] = Scene(
             name=name, about=about, fill=fill, size=size, show=show, small=small, gravity=gravity, warm=warm,
-            centre=centre, height=height,
+            steps=steps, centre=centre, height=height,
         )  # fmt: skip
         return fill
 

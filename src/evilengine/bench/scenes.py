@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import random
 
-from evilengine.bench.scene import Act, scene
+from evilengine.bench.scene import STEP, Act, scene
 from evilengine.world.body import Body
 from evilengine.world.shapes import Circle, Polygon, Rectangle
 from evilengine.world.world import World
@@ -35,7 +35,7 @@ def pyramid_of(world: World, base: int, left: float, bottom: float) -> None:
             world.add(box, at=(left + 0.5 * (row + 1) + place, bottom + row + 0.5))
 
 
-@scene(size=100, show=40, small=10, centre=(0, 18), height=46)
+@scene(size=100, show=40, small=10, centre=(0, 18), height=46, steps=600)
 def pyramid(world: World, size: int) -> Act | None:
     """A pyramid of boxes, 5050 at base 100."""
     world.add(Rectangle(200, 2), at=(0, -1), kind="static")
@@ -96,10 +96,19 @@ def convex(luck: random.Random, radius: float, corners: int) -> Polygon:
 
 @scene(size=2000, show=600, small=100, centre=(0, 10), height=40, warm=300)
 def pile(world: World, size: int) -> Act | None:
-    """Circles and convex polygons of 3 to 8 corners heap up in a bin 60 wide; `size` of both together."""
+    """Circles and convex polygons of 3 to 8 corners heap up in a bin, 60 wide for 2000 of them."""
+    heap(world, size, max(4, round(38 * math.sqrt(size / 2000))))
+    return None
+
+
+def heap(world: World, size: int, columns: int) -> None:
+    """Stones over a bin with room for so many beside each other."""
     luck = random.Random(1)
-    world.add([block(0, -0.5, 62, 1), block(-30.5, 50, 1, 100), block(30.5, 50, 1, 100)], kind="static", friction=0.5)
-    columns = 38
+    width = 60 * columns / 38
+    height = 2.5 * size / columns + 4
+    walls = [block(0, -0.5, width + 2, 1)]
+    walls += [block(side * (0.5 * width + 0.5), 0.5 * height, 1, height) for side in (-1, 1)]
+    world.add(walls, kind="static", friction=0.5)
     for i in range(size):
         row, column = divmod(i, columns)
         at = rounded(1.5 * (column - 0.5 * (columns - 1)) + luck.uniform(-0.1, 0.1), 1 + 1.5 * row)
@@ -108,6 +117,18 @@ def pile(world: World, size: int) -> Act | None:
             world.add(stone, at=at, angle=round(luck.uniform(0, math.tau), 4), friction=0.5)
         else:
             world.add(Circle(round(luck.uniform(0.3, 0.6), 4)), at=at, friction=0.5)
+
+
+@scene(size=8000, show=1000, small=60, centre=(45, 30), height=70, gravity=(0.0, 0.0))
+def sparse(world: World, size: int) -> Act | None:
+    """Circles and boxes that drift about and seldom meet."""
+    luck = random.Random(2)
+    columns = max(1, round(math.sqrt(1.5 * size)))
+    ball, box = Circle(0.4), Rectangle(0.8, 0.6)
+    for i in range(size):
+        row, column = divmod(i, columns)
+        velocity = rounded(luck.uniform(-1, 1), luck.uniform(-1, 1))
+        world.add(box if i % 2 else ball, at=(2.5 * column, 2.5 * row), velocity=velocity, angular_velocity=1)
     return None
 
 
@@ -145,8 +166,12 @@ def junkyard(world: World, size: int) -> Act | None:
             world.add(junk, at=(0.75 * (column - 100) + side, row + 15))
             side = -side
     pusher = world.add(block(0, 4, 4, 8), kind="kinematic")
-    pusher.follow(lambda time: (round(60.0 * math.sin(0.2 * time), 6), 0.0))
-    return None
+
+    def push(world: World, step: int) -> None:
+        here, there = (round(60.0 * math.sin(0.2 * STEP * count), 4) for count in (step, step + 1))
+        pusher.velocity = ((there - here) / STEP, 0.0)
+
+    return push
 
 
 @scene(size=120, show=40, small=10, centre=(15, 0), height=50, gravity=(0.0, 0.0))

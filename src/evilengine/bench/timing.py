@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import statistics
 import time
 from collections.abc import Callable, Sequence
@@ -56,22 +57,36 @@ def timed(runner: Runner, steps: int) -> list[float]:
     return times
 
 
-def take_turns(runners: Sequence[Runner], steps: int, warm: int, turn: int = 5) -> dict[str, Times]:
+def take_turns(
+    runners: Sequence[Runner], steps: int, warm: int, *, turn: int = 5, patience: float = math.inf
+) -> dict[str, Times]:
     """Let all runners make `warm` steps, then `steps` that are timed, `turn` at a time, in turn.
 
-    Which runner comes first changes from round to round.
+    Which runner comes first changes from round to round. A runner that would need more than `patience` seconds for
+    its steps before it is timed is left out; the first of them never is.
     """
-    times = {runner.name: Times() for runner in runners}
-    for runner in runners:
-        timed(runner, warm)
-    done, order = 0, list(runners)
+    ready = [runner for runner in runners if _warmed(runner, warm, math.inf if runner is runners[0] else patience)]
+    times = {runner.name: Times() for runner in ready}
+    done = 0
     while done < steps:
         now = min(turn, steps - done)
-        for runner in order:
+        for runner in ready:
             times[runner.name].rounds.append(timed(runner, now))
-        order.append(order.pop(0))
+        ready.append(ready.pop(0))
         done += now
     return times
+
+
+def _warmed(runner: Runner, steps: int, patience: float) -> bool:
+    """Make the steps, unless they would take too long."""
+    done, spent = 0, 0.0
+    while done < steps:
+        now = min(10, steps - done)
+        last = sum(timed(runner, now))
+        done, spent = done + now, spent + last
+        if spent + last / now * (steps - done) > patience:
+            return False
+    return True
 
 
 def best(call: Callable[[], object], repeats: int) -> float:

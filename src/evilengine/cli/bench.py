@@ -1,8 +1,10 @@
 """Measure the engine on this machine.
 
-`evil bench physics` times steps of the scenes that tests and the testbed share, one thread, sleep off:
-  evil bench physics                               all scenes
-  evil bench physics --scene pyramid --steps 100   one of them
+`evil bench physics` times steps of the scenes that tests and the testbed share, with sleep off, beside other engines
+that are installed (pip install 'evilengine[bench]'), in the same process and in turn. It takes about three minutes.
+  evil bench physics                               everything
+  evil bench physics --scene pyramid --steps 100   one scene
+  evil bench physics --only growth                 one part: steps, growth, access or memory
   evil bench physics --json numbers.json           the numbers as a file, too
 """
 
@@ -10,27 +12,50 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
+import platform
 import sys
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from evilengine.cli import options
 from evilengine.values.errors import ArgumentError
 
+if TYPE_CHECKING:
+    from evilengine.bench.peers import Peer
+
+PARTS = ("steps", "growth", "access", "memory")
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("what", choices=("physics",), help="what to measure")
-    parser.add_argument("--scene", action="append", metavar="NAME", help="only this scene (may be given again)")
+    parser.add_argument("--only", action="append", choices=PARTS, help="only this part (may be given again)")
+    parser.add_argument(
+        "--scene", action="append", metavar="NAME", help="only steps of this scene (may be given again)"
+    )
     parser.add_argument("--size", type=options.count, metavar="N", help="size of the scene (default: Box2D's)")
-    parser.add_argument("--steps", type=options.count, metavar="N", default=100, help="steps to time (default: 100)")
+    parser.add_argument("--steps", type=options.count, metavar="N", help="steps to time (default: the scene's)")
     parser.add_argument("--warm", type=options.count, metavar="N", help="steps to make before (default: the scene's)")
-    parser.add_argument("--substeps", type=options.count, metavar="N", default=4, help="parts of a step (default: 4)")
-    parser.add_argument("--threads", type=options.count, metavar="N", default=1, help="threads of a step (default: 1)")
+    parser.add_argument(
+        "--substeps", type=options.substeps, metavar="N", default=4, help="parts of a step (default: 4)"
+    )
+    parser.add_argument(
+        "--threads", type=options.threads, metavar="N", help="threads of a step (default: one, and two beside it)"
+    )
+    parser.add_argument(
+        "--peer", action="append", metavar="NAME", help="beside this engine only; none for none (default: all)"
+    )
+    parser.add_argument(
+        "--patience",
+        type=options.seconds,
+        metavar="S",
+        default=12.0,
+        help="leave out a peer that needs longer for a scene",
+    )
     parser.add_argument("--json", metavar="FILE", help="write the numbers to FILE, too")
 
 
 def run(args: argparse.Namespace) -> int:
-    from evilengine.bench.physics import Plan, measure
     from evilengine.bench.scene import SCENES, find
 
     scenes = [find(name) for name in args.scene] if args.scene else list(SCENES.values())
@@ -39,16 +64,111 @@ def run(args: argparse.Namespace) -> int:
     target = Path(args.json) if args.json else None
     if target is not None and not target.parent.is_dir():
         raise ArgumentError(f"--json {args.json}: there is no folder {target.parent}")
-    plan = Plan(steps=args.steps, warm=args.warm, substeps=args.substeps, threads=args.threads, size=args.size)
-    results: list[dict[str, Any]] = []
-    for result in measure(scenes, plan, tell=lambda text: print(text, file=sys.stderr, flush=True)):
-        results.append(result)
-        print(line(result), flush=True)
+    peers = _peers(args.peer)
+    parts = args.only or (("steps",) if args.scene else PARTS)
+    numbers: dict[str, Any] = {"machine": _machine()}
+    if "steps" in parts:
+        _steps(args, scenes, peers, numbers)
+    if "growth" in parts:
+        _growth(numbers)
+    if "access" in parts:
+        _access(peers, numbers)
+    if "memory" in parts:
+        _memory(numbers)
     if target is not None:
-        target.write_text(json.dumps({"scenes": results}, indent=1) + "\n")
+        target.write_text(json.dumps(numbers, indent=1) + "\n")
+        print(f"\nwritten to {target}")
     return 0
 
 
-def line(result: dict[str, Any]) -> str:
-    times = "  ".join(f"{name} {one['min']:.3f} / {one['median']:.3f} ms" for name, one in result["engines"].items())
-    return f"{result['scene']:<15} {result['bodies']:>6} bodies {result['contacts']:>6} contacts   {times}"
+def tell(text: str) -> None:
+    """What is being done, for who waits; not part of the result."""
+    print(f"  {text}", file=sys.stderr, flush=True)
+
+
+def _peers(names: list[str] | None) -> list[type[Peer]]:
+    from evilengine.bench.peers import PEERS, found
+    from evilengine.values.checks import one_of
+
+    if names == ["none"]:
+        return []
+    here, missing = found([one_of(name, "bench", "--peer", PEERS) for name in names or PEERS])
+    if missing:
+        print(f"not installed, so not beside: {', '.join(missing)} (pip install 'evilengine[bench]' brings them)")
+    return here
+
+
+def _machine() -> dict[str, Any]:
+    from evilengine import _core
+    from evilengine.values.version import VERSION
+
+    return {
+        "evilengine": VERSION,
+        "instructions": _core.instruction_sets()[-1],
+        "python": platform.python_version(),
+        "system": platform.platform(terse=True),
+        "processors": os.cpu_count(),
+    }
+
+
+def _steps(args: argparse.Namespace, scenes: list[Any], peers: list[type[Peer]], numbers: dict[str, Any]) -> None:
+    from evilengine.bench import report
+    from evilengine.bench.physics import Plan, measure, threads_to_try
+    from evilengine.bench.quality import qualities
+
+    plan = Plan(
+        steps=args.steps,
+        warm=args.warm,
+        substeps=args.substeps,
+        threads=threads_to_try(args.threads),
+        size=args.size,
+        patience=args.patience,
+    )
+    engines = [*(f"{n} threads" for n in plan.threads[1:]), *(peer.name for peer in peers)]
+    print(report.steps_head(engines))
+    rows = []
+    quality: dict[str, Any] = {}
+    for scene in scenes:
+        measured = measure(scene, plan, peers, tell)
+        rows.append(measured.numbers())
+        print(report.steps_row(rows[-1], engines), flush=True)
+        if scene.name == "pyramid":
+            quality = {"steps": rows[-1]["steps"], "engines": qualities(measured)}
+            if "8 substeps" in measured.times:
+                eight = measured.times["8 substeps"]
+                print(f"  the same with 8 substeps: {eight.least:.3f} / {eight.median:.3f}")
+    numbers["scenes"] = rows
+    if quality:
+        numbers["quality"] = quality
+        print(f"\n{report.quality_table(quality['engines'], quality['steps'])}")
+
+
+def _growth(numbers: dict[str, Any]) -> None:
+    from evilengine.bench import report
+    from evilengine.bench.growth import growth
+
+    numbers["growth"] = {name: list(growth(name, tell)) for name in ("pile", "sparse")}
+    print("\nhow the time of a step grows")
+    for rows in numbers["growth"].values():
+        print(report.growth_table(rows), flush=True)
+
+
+def _access(peers: list[type[Peer]], numbers: dict[str, Any]) -> None:
+    from evilengine.bench import report
+    from evilengine.bench.access import casting, reading
+
+    tell("making and reading bodies")
+    numbers["access"] = reading(peers)
+    for name, rays in casting(peers, tell).items():
+        numbers["access"][name].update(rays)
+    print(f"\nfrom Python\n{report.access_table(numbers['access'])}", flush=True)
+
+
+def _memory(numbers: dict[str, Any]) -> None:
+    from evilengine.bench.access import memory
+
+    numbers["memory"] = used = memory()
+    if used is None:
+        print("\nmemory: only glibc says what is allocated")
+    else:
+        print(f"\nmemory: {used['body_bytes']:.0f} bytes a body, {used['contact_bytes']:.0f} bytes a contact")

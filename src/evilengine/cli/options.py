@@ -39,8 +39,22 @@ def moment(text: str) -> float:
 
 def count(text: str) -> int:
     """A whole number, 1 to a million."""
-    if not (text.isdecimal() and 1 <= int(text) <= 1_000_000):
-        raise argparse.ArgumentTypeError(f"{text!r} must be a whole number, 1 to 1000000")
+    return _whole(text, 1_000_000)
+
+
+def threads(text: str) -> int:
+    """How many threads: 1 to 256."""
+    return _whole(text, 256)
+
+
+def substeps(text: str) -> int:
+    """How many parts of a step: 1 to 256."""
+    return _whole(text, 256)
+
+
+def _whole(text: str, most: int) -> int:
+    if not (text.isdecimal() and len(text) < 8 and 1 <= int(text) <= most):
+        raise argparse.ArgumentTypeError(f"{text!r} must be a whole number, 1 to {most}")
     return int(text)
 
 
