@@ -27,6 +27,7 @@ inline constexpr float kMaxForce = 1e30f; // newtons, and whatever else only has
 struct Body {
     BodyKind kind = BodyKind::dynamic;
     bool bullet = false, touchable = false, awake = true;
+    bool told_awake = true; // what was told of it last: a change is an event
 
     Pose pose;          // body to world: p is the origin that shapes are placed by, q the rotation by `angle`
     double angle = 0.0; // radians, not wrapped; double so that a wheel may turn for hours

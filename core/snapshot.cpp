@@ -18,6 +18,7 @@ struct SavedState { // what is read before the world is touched
     Bodies bodies;
     Shapes shapes;
     Contacts contacts;
+    Events events;
     Forces forces;
     std::vector<bool> body_taken, shape_taken, piece_taken, force_taken;
 };
@@ -96,7 +97,7 @@ void read_payload(Reader& ar, SavedState& s) {
             visit(ar, s.forces.areas[slot]);
         });
     visit(ar, s.contacts.rows);
-    visit(ar, s.contacts.touches);
+    visit(ar, s.events.hit_speed, s.events.lost);
     read_made(ar, s);
     ar.ok = ar.ok && ar.at_end();
 }
@@ -173,12 +174,7 @@ bool contacts_hold_together(const SavedState& s) {
         if (c.shape_a != p.shape || c.shape_b != q.shape) return false;
         if (c.body_a != s.shapes.rows[p.shape].body || c.body_b != s.shapes.rows[q.shape].body) return false;
     }
-    for (const Touch& t : s.contacts.touches) {
-        bool there = taken(s.body_taken, t.a.slot) && taken(s.body_taken, t.b.slot) &&
-                     taken(s.shape_taken, t.shape_a.slot) && taken(s.shape_taken, t.shape_b.slot);
-        if (!t.gone && !there) return false;
-    }
-    return true;
+    return s.events.hit_speed >= 0.0f;
 }
 
 // What was not written: pieces' bodies, ranges and baked geometry.
@@ -238,7 +234,7 @@ void restore(World& w, SavedState& s) {
     s.shapes.pieces.resize(s.shapes.piece_slots.size());
     s.forces.rows.resize(s.forces.slots.size());
     s.forces.areas.resize(s.forces.slots.size());
-    for (Touch& t : s.contacts.touches) {
+    for (Touch& t : s.events.lost) { // one of its two was destroyed, and its slot may be taken again
         bool a = taken(s.body_taken, t.a.slot) && s.bodies.rows[t.a.slot].serial == t.order[0];
         bool b = taken(s.body_taken, t.b.slot) && s.bodies.rows[t.b.slot].serial == t.order[1];
         bool sa = taken(s.shape_taken, t.shape_a.slot) && s.shapes.rows[t.shape_a.slot].serial == t.order[2];
@@ -255,6 +251,7 @@ void restore(World& w, SavedState& s) {
     w.bodies = std::move(s.bodies);
     w.shapes = std::move(s.shapes);
     w.contacts = std::move(s.contacts);
+    w.events = std::move(s.events);
     w.forces = std::move(s.forces);
 
     std::size_t n = w.bodies.slots.size();
@@ -307,8 +304,11 @@ ReadSnapshot read_snapshot(std::span<const std::uint8_t> bytes) {
     bool whole = ar.ok && shapes_hold_together(*state) && bodies_hold_together(*state) &&
                  forces_hold_together(*state) && contacts_hold_together(*state);
     if (!whole) return {nullptr, SnapshotProblem::inconsistent};
-    for (Contact& c : state->contacts.rows) c.fresh = false;
     rebuild_pieces(*state);
+    for (Contact& c : state->contacts.rows) {
+        c.fresh = false;
+        mark(c, state->shapes);
+    }
     return {state, SnapshotProblem::none};
 }
 

@@ -17,10 +17,10 @@ template <class A, class Element> void visit(A& ar, std::vector<Element>& list);
 template <class A, class Element> void visit(A& ar, const std::vector<Element>& list);
 
 template <class A, Like<Body> V> void visit(A& ar, V& b) {
-    visit(ar, b.kind, b.bullet, b.touchable, b.awake, b.pose, b.angle, b.scale, b.centre, b.local_centre, b.velocity,
-          b.spin, b.force, b.torque, b.acceleration, b.mass, b.inv_mass, b.inertia, b.inv_inertia, b.set_mass,
-          b.damping, b.angular_damping, b.drag, b.gravity_scale, b.density, b.friction, b.restitution, b.still_time,
-          b.serial, b.born, b.first_shape, b.last_shape);
+    visit(ar, b.kind, b.bullet, b.touchable, b.awake, b.told_awake, b.pose, b.angle, b.scale, b.centre, b.local_centre,
+          b.velocity, b.spin, b.force, b.torque, b.acceleration, b.mass, b.inv_mass, b.inertia, b.inv_inertia,
+          b.set_mass, b.damping, b.angular_damping, b.drag, b.gravity_scale, b.density, b.friction, b.restitution,
+          b.still_time, b.serial, b.born, b.first_shape, b.last_shape);
 }
 
 template <class A, Like<Shape> V> void visit(A& ar, V& s) {
@@ -35,12 +35,12 @@ template <class A, Like<ManifoldPoint> V> void visit(A& ar, V& p) {
 
 template <class A, Like<Contact> V> void visit(A& ar, V& c) {
     visit(ar, c.piece_a, c.piece_b, c.shape_a, c.shape_b, c.body_a, c.body_b, c.axis.edge, c.axis.of_b, c.axis.known,
-          c.count, c.touching, c.normal, c.friction, c.restitution, c.points[0], c.points[1]);
+          c.count, c.touching, c.struck, c.normal, c.friction, c.restitution, c.points[0], c.points[1]);
 }
 
 template <class A, Like<Touch> V> void visit(A& ar, V& t) { // references by slot; generations are a process's own
     visit(ar, t.a.slot, t.b.slot, t.shape_a.slot, t.shape_b.slot, t.order[0], t.order[1], t.order[2], t.order[3],
-          t.gone, t.point, t.normal, t.depth, t.impulse, t.speed);
+          t.point, t.normal, t.depth, t.impulse, t.speed);
 }
 
 template <class A, Like<Force> V> void visit(A& ar, V& f) {
@@ -99,7 +99,7 @@ inline void write_forces(auto& ar, const World& w) {
 
 inline void write_contacts(auto& ar, const World& w) {
     visit(ar, w.contacts.rows);
-    visit(ar, w.contacts.touches);
+    visit(ar, w.events.hit_speed, w.events.lost);
 }
 
 } // namespace evil

@@ -12,7 +12,7 @@ void World::step(float dt, int substeps) {
     solve(solver, bodies, contacts, forces, gravity, {dt, substeps, instruction_set});
     stop_at_walls(solver.paths, bodies, shapes);
     sleep_islands(solver, bodies, shapes, dt, sleep_allowed);
-    find_events(contacts, shapes, bodies);
+    find_events(events, contacts, shapes, bodies);
     ++steps;
     time += double(dt);
     publish_all(*this);

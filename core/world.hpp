@@ -2,6 +2,7 @@
 // One World: the State of every module side by side (SPEC A3), and the step that moves it.
 #include "collider/broad_phase.hpp"
 #include "collider/contacts.hpp"
+#include "collider/events.hpp"
 #include "forces/forces.hpp"
 #include "published.hpp"
 #include "solver/solver.hpp"
@@ -32,6 +33,7 @@ struct World {
     Bodies bodies;
     Shapes shapes;
     Contacts contacts;
+    Events events;
     Forces forces;
 
     // Which kernels it runs on; the bits are the same with any

@@ -129,7 +129,7 @@ void destroy_body(World& world, std::uint32_t slot) {
     drop_from_forces(world, slot);
     while (world.bodies.rows[slot].first_shape != kNone) {
         std::uint32_t shape = world.bodies.rows[slot].first_shape;
-        forget_shape(world.contacts, shape);
+        forget_shape(world.events, world.contacts, world.shapes, world.bodies, shape);
         unlink_shape(world, slot, shape);
         remove_shape_row(world.shapes, shape);
     }
@@ -173,7 +173,7 @@ Added<ShapeRef> add_shape(World& world, std::uint32_t body, const NewShape& shap
 void destroy_shape(World& world, std::uint32_t shape) {
     std::uint32_t body = world.shapes.rows[shape].body;
     wake_touching(world, body);
-    forget_shape(world.contacts, shape);
+    forget_shape(world.events, world.contacts, world.shapes, world.bodies, shape);
     unlink_shape(world, body, shape);
     remove_shape_row(world.shapes, shape);
     (void)update_mass(world, body); // with fewer shapes mass only shrinks; the last shape's mass is kept

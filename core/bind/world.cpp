@@ -6,6 +6,7 @@
 
 namespace evil::bind {
 
+void register_events(nb::module_& module, nb::class_<World>& world);
 NewShape used(const NewShape& spec, nb::handle offset, double angle, float density, float friction, float restitution);
 
 void raise_mass(MassProblem problem, const char* owner) {
@@ -77,18 +78,6 @@ std::uint32_t add(World& world, const BodySpec& spec, const std::vector<NewShape
     Added<BodyRef> added = add_body(world, spec.row, spec.tag, shapes);
     if (added.problem != MassProblem::none) raise_mass(added.problem, "World.add()");
     return added.ref.slot;
-}
-
-Anything from_touch(const Touch& t) {
-    return nb::borrow<Anything>(nb::make_tuple(t.a.slot, t.a.generation, t.b.slot, t.b.generation, t.shape_a.slot,
-                                               t.shape_a.generation, t.shape_b.slot, t.shape_b.generation,
-                                               from_vec2(t.point), from_vec2(t.normal), t.depth, t.impulse, t.speed));
-}
-
-nb::typed<nb::list, Anything> from_touches(const std::vector<Touch>& touches) {
-    nb::list list;
-    for (const Touch& t : touches) list.append(from_touch(t));
-    return nb::borrow<nb::typed<nb::list, Anything>>(list);
 }
 
 View view_of(const World& w, std::vector<float> Arrays::* values, Py_ssize_t columns) {
@@ -281,9 +270,7 @@ void register_world(nb::module_& module) {
     c.def_ro("steps", &World::steps);
     c.def_ro("time", &World::time);
     bind_objects(c);
-    c.def_prop_ro("begun", [](const World& w) { return from_touches(w.contacts.begun); });
-    c.def_prop_ro("ended", [](const World& w) { return from_touches(w.contacts.ended); });
-    c.def_prop_ro("active", [](const World& w) { return from_touches(w.contacts.touches); });
+    register_events(module, c);
     c.def_prop_ro("positions", [](const World& w) { return view_of(w, &Arrays::positions, 2); });
     c.def_prop_ro("angles", [](const World& w) { return view_of(w, &Arrays::angles, 1); });
     c.def_prop_ro("velocities", [](const World& w) { return view_of(w, &Arrays::velocities, 2); });

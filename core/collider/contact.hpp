@@ -33,7 +33,10 @@ struct Contact {
     std::uint8_t count = 0; // points in the manifold
     bool fresh = true;      // found in this step; not saved, since no step leaves one so
     bool touching = false;  // they overlapped, or pushed each other, in the last step
-    Vec2 normal;            // world, from a to b
+    bool struck = false;    // and that was told as a hit
+    // What follows from the shapes (see mark), not saved:
+    bool compound = false; // a shape of the two has other pieces that may touch too
+    Vec2 normal;           // world, from a to b
     float friction = 0.0f, restitution = 0.0f;
     ManifoldPoint points[2];
 };
@@ -43,24 +46,12 @@ struct Pair {
     friend auto operator<=>(Pair, Pair) = default;
 };
 
-// Two shapes that touched at the end of the last step; what events are derived from.
-struct Touch {
-    BodyRef a, b; // a was created first
-    ShapeRef shape_a, shape_b;
-    std::uint64_t order[4] = {}; // serials of the bodies, then of the shapes: the order of events
-    bool gone = false;           // one of them was destroyed since: its end is still to be told
-    Vec2 point, normal;          // normal from a to b
-    float depth = 0.0f, impulse = 0.0f, speed = 0.0f;
-};
-
 struct Contacts {
-    std::vector<Contact> rows;       // State, sorted by key
-    std::vector<Touch> touches;      // State, sorted by order
-    std::vector<Touch> begun, ended; // results of the last step
-    struct {                         // Scratch
+    std::vector<Contact> rows; // State, sorted by key
+    struct {                   // Scratch
         std::vector<Pair> pairs;
         std::vector<Contact> rows;
-        std::vector<Touch> touches;
+        std::vector<Contact> parted; // touched in the last step, and now not even their bounds meet
     } scratch;
 };
 

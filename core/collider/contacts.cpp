@@ -12,7 +12,13 @@ Contact new_contact(Pair pair, const Shapes& shapes) {
     c.shape_b = shapes.pieces[pair.b].shape;
     c.body_a = shapes.pieces[pair.a].body;
     c.body_b = shapes.pieces[pair.b].body;
+    mark(c, shapes);
     return c;
+}
+
+// A contact goes when not even the bounds meet any more. Its end is told if it touched.
+void drop(Contacts& contacts, const Contact& c) {
+    if (c.touching) contacts.scratch.parted.push_back(c);
 }
 
 // Contacts in advance of touching, so that a fast body is slowed just enough (SPEC C8); no further than half the smaller
@@ -26,7 +32,12 @@ float margin_of(const Piece& p, const Piece& q, const Body& a, const Body& b, fl
 // Whatever moves a body by hand wakes those it has contacts with.
 bool at_rest(const Body& b) { return b.kind == BodyKind::fixed || (b.kind == BodyKind::dynamic && !b.awake); }
 
+// The manifold of bodies that have parted stays as it was last: it says where they touched.
 void take_over(Contact& c, const ManifoldSketch& sketch, const Body& a, const Body& b) {
+    if (sketch.count == 0) {
+        c.count = 0;
+        return;
+    }
     ManifoldPoint old[2] = {c.points[0], c.points[1]};
     std::uint8_t old_count = c.count;
     c.count = sketch.count;
@@ -46,71 +57,25 @@ void take_over(Contact& c, const ManifoldSketch& sketch, const Body& a, const Bo
     }
 }
 
-// They overlapped or pushed. A pair that touched goes on touching until there is a gap, so that resting contacts, which
-// hover round zero, do not end and begin again.
-bool touches_now(const Contact& c) {
-    float gap = c.touching ? kSlop : 0.0f;
-    for (std::uint8_t i = 0; i < c.count; ++i)
-        if (c.points[i].total_impulse > 0.0f || c.points[i].separation <= gap) return true;
-    return false;
-}
-
-bool earlier(const Touch& s, const Touch& t) { return std::ranges::lexicographical_compare(s.order, t.order); }
-bool same(const Touch& s, const Touch& t) { return std::ranges::equal(s.order, t.order); }
-
-Touch touch_of(const Contact& c, const Shapes& shapes, const Bodies& bodies) {
-    bool swap = bodies.rows[c.body_b].serial < bodies.rows[c.body_a].serial;
-    std::uint32_t a = swap ? c.body_b : c.body_a, b = swap ? c.body_a : c.body_b;
-    std::uint32_t sa = swap ? c.shape_b : c.shape_a, sb = swap ? c.shape_a : c.shape_b;
-    Touch t;
-    t.a = {a, bodies.slots.generation(a)};
-    t.b = {b, bodies.slots.generation(b)};
-    t.shape_a = {sa, shapes.slots.generation(sa)};
-    t.shape_b = {sb, shapes.slots.generation(sb)};
-    t.order[0] = bodies.rows[a].serial;
-    t.order[1] = bodies.rows[b].serial;
-    t.order[2] = shapes.rows[sa].serial;
-    t.order[3] = shapes.rows[sb].serial;
-    t.normal = swap ? -c.normal : c.normal;
-    float weight = 0.0f, share = 1.0f / static_cast<float>(c.count);
-    float deepest = c.points[0].separation;
-    Vec2 mean, pressed;
-    for (std::uint8_t i = 0; i < c.count; ++i) {
-        const ManifoldPoint& p = c.points[i];
-        Vec2 at = bodies.rows[c.body_a].centre + p.anchor_a;
-        mean += share * at;
-        pressed += p.total_impulse * at;
-        weight += p.total_impulse;
-        deepest = std::min(deepest, p.separation);
-        t.speed = std::max(t.speed, p.closing_speed);
-    }
-    t.point = weight > 0.0f ? (1.0f / weight) * pressed : mean; // where the push went through
-    if (!is_finite(t.point)) t.point = mean;
-    t.depth = std::max(0.0f, -deepest);
-    t.impulse = clamped(weight, kMaxForce);
-    return t;
-}
-
-// Several pieces of one pair of shapes are one touch: the deepest tells where, the impulses add up.
-void join(Touch& into, const Touch& t) {
-    float impulse = clamped(into.impulse + t.impulse, kMaxForce), speed = std::max(into.speed, t.speed);
-    if (t.depth > into.depth || (t.depth == into.depth && t.impulse > into.impulse)) into = t;
-    into.impulse = impulse;
-    into.speed = speed;
-}
-
 } // namespace
 
 void match_pairs(Contacts& contacts, const Shapes& shapes) {
     auto& next = contacts.scratch.rows;
     next.clear();
-    auto old = contacts.rows.begin();
+    contacts.scratch.parted.clear();
+    auto old = contacts.rows.begin(), end = contacts.rows.end();
     for (Pair pair : contacts.scratch.pairs) {
-        while (old != contacts.rows.end() && Pair{old->piece_a, old->piece_b} < pair) ++old;
-        bool kept = old != contacts.rows.end() && Pair{old->piece_a, old->piece_b} == pair;
-        next.push_back(kept ? *old : new_contact(pair, shapes));
+        while (old != end && Pair{old->piece_a, old->piece_b} < pair) drop(contacts, *old++);
+        bool kept = old != end && Pair{old->piece_a, old->piece_b} == pair;
+        next.push_back(kept ? *old++ : new_contact(pair, shapes));
     }
+    while (old != end) drop(contacts, *old++);
     std::swap(contacts.rows, next);
+}
+
+void mark(Contact& c, const Shapes& shapes) {
+    c.compound = shapes.pieces[shapes.rows[c.shape_a].first_piece].next != kNone ||
+                 shapes.pieces[shapes.rows[c.shape_b].first_piece].next != kNone;
 }
 
 void update_manifolds(Contacts& contacts, const Shapes& shapes, const Bodies& bodies, float dt) {
@@ -125,43 +90,6 @@ void update_manifolds(Contacts& contacts, const Shapes& shapes, const Bodies& bo
         float margin = margin_of(p, q, a, b, dt);
         take_over(c, collide(place(shapes, p, a.pose), place(shapes, q, b.pose), margin, c.axis), a, b);
     }
-}
-
-void find_events(Contacts& contacts, const Shapes& shapes, const Bodies& bodies) {
-    auto& now = contacts.scratch.touches;
-    now.clear();
-    for (Contact& c : contacts.rows) {
-        c.touching = touches_now(c);
-        if (c.touching) now.push_back(touch_of(c, shapes, bodies));
-    }
-    if (!std::ranges::is_sorted(now, earlier)) std::ranges::stable_sort(now, earlier);
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < now.size(); ++i) {
-        if (kept > 0 && same(now[kept - 1], now[i]))
-            join(now[kept - 1], now[i]);
-        else
-            now[kept++] = now[i];
-    }
-    now.resize(kept);
-
-    contacts.begun.clear();
-    contacts.ended.clear();
-    auto before = contacts.touches.begin(), before_end = contacts.touches.end();
-    for (const Touch& t : now) {
-        while (before != before_end && earlier(*before, t)) contacts.ended.push_back(*before++);
-        if (before != before_end && same(*before, t))
-            ++before;
-        else
-            contacts.begun.push_back(t);
-    }
-    while (before != before_end) contacts.ended.push_back(*before++);
-    std::swap(contacts.touches, now);
-}
-
-void forget_shape(Contacts& contacts, std::uint32_t shape) {
-    std::erase_if(contacts.rows, [&](const Contact& c) { return c.shape_a == shape || c.shape_b == shape; });
-    for (Touch& t : contacts.touches)
-        if (!t.gone && (t.shape_a.slot == shape || t.shape_b.slot == shape)) t.gone = true;
 }
 
 } // namespace evil

@@ -165,14 +165,29 @@ class Body(_core.Body):
         return self._callback("on_separate", "contact")
 
     @property
+    def on_hit(self) -> Callbacks[...]:
+        """Decorator: call a function with the Contact when this body hits another faster than `world.hit_speed`."""
+        return self._callback("on_hit", "contact")
+
+    @property
+    def on_sleep(self) -> Callbacks[[]]:
+        """Decorator: call a function, without arguments, when this body falls asleep."""
+        return self._callback("on_sleep")
+
+    @property
+    def on_wake(self) -> Callbacks[[]]:
+        """Decorator: call a function, without arguments, when this body wakes."""
+        return self._callback("on_wake")
+
+    @property
     def on_touch(self) -> Callbacks[...]:
         """Decorator: call a function with each Touch on this body; it replaces the finger's pull."""
         return self._callback("on_touch", "touch")
 
-    def _callback(self, name: str, argument: str) -> Callbacks[...]:
+    def _callback(self, name: str, *arguments: str) -> Callbacks[...]:
         self._require()
         if name not in self._callbacks:
-            self._callbacks[name] = Callbacks(f"Body.{name}", argument)
+            self._callbacks[name] = Callbacks(f"Body.{name}", *arguments)
             self._world._heard.add(name)
             if name == "on_update":
                 self._world._updated.append(self)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, overload
 
+from evilengine import _core
 from evilengine.values.errors import ArgumentError
 from evilengine.values.vec2 import Vec2
 
@@ -54,8 +56,93 @@ class RayHit:
     """How far along the ray, 0 at its start, 1 at its end."""
 
 
+class ContactList(Sequence[Contact]):
+    """Contacts, one by one or, for bulk readers, as columns: read-only buffers with a row for each, which
+    `numpy.asarray` takes as they are.
+
+    It stays as it is while the world goes on; bodies that are destroyed meanwhile are stale in it.
+
+    >>> world = evil.World()
+    >>> floor = world.add(evil.Rectangle(4, 1), kind="static")
+    >>> box = world.add(evil.Rectangle(1, 1), at=(0, 1))
+    >>> world.step()
+    >>> contacts = world.contacts.active
+    >>> contacts[0].b is box, memoryview(contacts.bodies).tolist(), memoryview(contacts.depths).shape
+    (True, [[0, 1]], (1,))
+    """
+
+    __slots__ = ("_rows", "_world")
+
+    def __init__(self, world: World, rows: _core.Touches) -> None:
+        self._world = world
+        self._rows = rows
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    @overload
+    def __getitem__(self, index: int) -> Contact: ...
+    @overload
+    def __getitem__(self, index: slice) -> tuple[Contact, ...]: ...
+    def __getitem__(self, index: int | slice) -> Contact | tuple[Contact, ...]:
+        numbers = range(len(self._rows))[index]
+        if isinstance(numbers, range):
+            return tuple(self._contact(number) for number in numbers)
+        return self._contact(numbers)
+
+    def _contact(self, number: int) -> Contact:
+        a, ga, b, gb, sa, gsa, sb, gsb, *rest = self._rows.row(number)
+        body, shape = self._world._body, self._world._shape
+        return Contact(body(a, ga), body(b, gb), shape(sa, gsa), shape(sb, gsb), *rest)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, (ContactList, tuple, list)) and tuple(self) == tuple(other)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    @property
+    def bodies(self) -> _core.Column:
+        """(n, 2) uint32: slots of a and b, as rows of the arrays in `world.bodies`."""
+        return self._rows.bodies
+
+    @property
+    def shapes(self) -> _core.Column:
+        """(n, 2) uint32: slots of shape_a and shape_b."""
+        return self._rows.shapes
+
+    @property
+    def points(self) -> _core.Column:
+        """(n, 2) float32: metres, in the world."""
+        return self._rows.points
+
+    @property
+    def normals(self) -> _core.Column:
+        """(n, 2) float32: from a to b."""
+        return self._rows.normals
+
+    @property
+    def depths(self) -> _core.Column:
+        """(n,) float32: metres."""
+        return self._rows.depths
+
+    @property
+    def impulses(self) -> _core.Column:
+        """(n,) float32: newton seconds."""
+        return self._rows.impulses
+
+    @property
+    def speeds(self) -> _core.Column:
+        """(n,) float32: metres a second."""
+        return self._rows.speeds
+
+    def __repr__(self) -> str:
+        return f"<ContactList, {len(self)}>"
+
+
 class Contacts:
-    """The contacts of a world after its last step, in an order that is part of the promise: that of creation."""
+    """The contacts of a world after its last step, in an order that is part of the promise, that of creation: by the
+    older of the two bodies, then the younger, then their shapes.
+    """
 
     __slots__ = ("_world",)
 
@@ -63,23 +150,27 @@ class Contacts:
         self._world = world
 
     @property
-    def begun(self) -> tuple[Contact, ...]:
+    def begun(self) -> ContactList:
         """Those that began in the last step."""
-        return self._all(self._world._core.begun)
+        return ContactList(self._world, self._world._core.begun)
 
     @property
-    def ended(self) -> tuple[Contact, ...]:
-        """Those that ended in the last step, or whose body was destroyed since the step before."""
-        return self._all(self._world._core.ended)
+    def ended(self) -> ContactList:
+        """Those that ended in the last step, or whose body was destroyed since the step before.
+
+        Point and normal are those of their last touch; depth, impulse and speed are 0.
+        """
+        return ContactList(self._world, self._world._core.ended)
 
     @property
-    def active(self) -> tuple[Contact, ...]:
-        """All that touch."""
-        return self._all(self._world._core.active)
+    def hit(self) -> ContactList:
+        """Those whose bodies came together faster than `world.hit_speed` in the last step and pushed each other.
 
-    def _all(self, rows: list[tuple[Any, ...]]) -> tuple[Contact, ...]:
-        body, shape = self._world._body, self._world._shape
-        return tuple(
-            Contact(body(a, ga), body(b, gb), shape(sa, gsa), shape(sb, gsb), *rest)
-            for a, ga, b, gb, sa, gsa, sb, gsb, *rest in rows
-        )
+        One that has just hit does not hit again in the next step.
+        """
+        return ContactList(self._world, self._world._core.hit)
+
+    @property
+    def active(self) -> ContactList:
+        """All that touch, worked out when asked: where bodies are now."""
+        return ContactList(self._world, self._world._core.active)

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from evilengine import _core
 from evilengine.values.checks import number
 from evilengine.values.vec2 import to_vec2
+from evilengine.world.contacts import ContactList
 from evilengine.world.forces import PYTHON
 
 if TYPE_CHECKING:
@@ -52,13 +54,28 @@ def ask_forces(world: World, dt: float) -> None:
 
 
 def tell_events(world: World) -> None:
-    """Tell the bodies which contacts began and ended, in the order in which they were created."""
-    for name, rows in (("on_collide", world._core.begun), ("on_separate", world._core.ended)):
-        heard = [row for row in rows if listens(world, name, row)] if name in world._heard else []
-        for contact in world.contacts._all(heard):
-            for body in (contact.a, contact.b):
+    """Tell the bodies what happened to them, kind by kind, each in the order in which they were created."""
+    heard, core = world._heard, world._core
+    for name, rows in (("on_collide", "begun"), ("on_hit", "hit"), ("on_separate", "ended")):
+        if name in heard:
+            tell_contacts(world, name, getattr(core, rows))
+    for name, bodies in (("on_sleep", "slept"), ("on_wake", "woke")):
+        if name in heard:
+            for body in world.events._bodies(getattr(core, bodies)):
                 if body.alive and name in body._callbacks:
-                    body._callbacks[name].run(contact)
+                    body._callbacks[name].run()
+
+
+def tell_contacts(world: World, name: str, rows: _core.Touches) -> None:
+    """Tell both bodies of each contact, the older first."""
+    contacts = ContactList(world, rows)
+    for place in range(len(rows)):
+        if not listens(world, name, rows.row(place)):
+            continue
+        contact = contacts[place]
+        for body in (contact.a, contact.b):
+            if body.alive and name in body._callbacks:
+                body._callbacks[name].run(contact)
 
 
 def listens(world: World, name: str, row: tuple[Any, ...]) -> bool:

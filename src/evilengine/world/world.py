@@ -15,6 +15,7 @@ from evilengine.world.arguments import flag, listed, place, several, speed
 from evilengine.world.bodies import Bodies
 from evilengine.world.body import KINDS, Body, Motion, Shape, to_tag
 from evilengine.world.contacts import Contacts, RayHit
+from evilengine.world.events import Events
 from evilengine.world.forces import Force
 from evilengine.world.shapes import ShapeDefinition, to_shape
 
@@ -110,8 +111,22 @@ class World:
 
     @property
     def contacts(self) -> Contacts:
-        """What touched in the last step: `.begun`, `.ended`, `.active`."""
+        """What touched in the last step: `.begun`, `.ended`, `.hit`, `.active`."""
         return Contacts(self)
+
+    @property
+    def events(self) -> Events:
+        """What else happened in the last step: `.slept`, `.woke`."""
+        return Events(self)
+
+    @property
+    def hit_speed(self) -> float:
+        """Metres a second: bodies that come together faster are told as hits (`world.contacts.hit`). 1 at first."""
+        return self._core.hit_speed
+
+    @hit_speed.setter
+    def hit_speed(self, value: float) -> None:
+        self._core.hit_speed = number(value, "World", "hit_speed", least=0.0, most=1e6)
 
     # -- adding --
 
