@@ -258,6 +258,7 @@ void restore(World& w, SavedState& s) {
     w.present.assign(n, {});
     w.scales.assign(n, Vec2{1, 1});
     if (n > w.arrays->capacity) w.arrays = std::make_shared<Arrays>(std::max<std::size_t>(64, 2 * n));
+    w.search.remade = true;
     publish_all(w);
     w.previous = w.present;
 }

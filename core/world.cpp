@@ -15,14 +15,22 @@ void World::step(float dt, int substeps) {
     find_events(events, contacts, shapes, bodies);
     ++steps;
     time += double(dt);
+    search.moved = true;
     publish_all(*this);
+}
+
+Scene World::scene() {
+    refresh(search, shapes, bodies);
+    return {shapes, bodies, search, instruction_set};
 }
 
 Affine body_matrix(const Body& body) {
     return compose(affine(body.pose), Affine{body.scale.x, 0, 0, body.scale.y, 0, 0});
 }
 
-void publish(World& world, std::uint32_t slot) {
+namespace {
+
+void publish_row(World& world, std::uint32_t slot) {
     const Body& b = world.bodies.rows[slot];
     bool taken = world.bodies.slots.taken(slot);
     world.present[slot] = b.pose;
@@ -39,9 +47,16 @@ void publish(World& world, std::uint32_t slot) {
     std::copy(matrix, matrix + 16, out.matrices.begin() + 16 * static_cast<std::ptrdiff_t>(slot));
 }
 
+} // namespace
+
+void publish(World& world, std::uint32_t slot) {
+    note_edit(world.search, slot);
+    publish_row(world, slot);
+}
+
 void publish_all(World& world) {
     parallel_for(world.threads, world.bodies.slots.size(), 256, [&](std::size_t first, std::size_t last) {
-        for (std::size_t slot = first; slot < last; ++slot) publish(world, static_cast<std::uint32_t>(slot));
+        for (std::size_t slot = first; slot < last; ++slot) publish_row(world, static_cast<std::uint32_t>(slot));
     });
 }
 

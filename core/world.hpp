@@ -3,6 +3,7 @@
 #include "collider/broad_phase.hpp"
 #include "collider/contacts.hpp"
 #include "collider/events.hpp"
+#include "collider/search.hpp"
 #include "forces/forces.hpp"
 #include "published.hpp"
 #include "solver/solver.hpp"
@@ -45,6 +46,7 @@ struct World {
     // Scratch: losing it changes nothing
     BroadPhase broad;
     Solver solver;
+    Search search;
 
     // Results: what readers see
     std::vector<Pose> previous, present;
@@ -52,6 +54,7 @@ struct World {
     std::shared_ptr<Arrays> arrays = std::make_shared<Arrays>(0);
 
     void step(float dt, int substeps);
+    Scene scene(); // for queries, up to date
     Poses poses() const { return {previous, present, scales, bodies.slots.generations()}; }
 };
 

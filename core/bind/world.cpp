@@ -1,6 +1,5 @@
 #include "bind/handle.hpp"
 #include "bind/views.hpp"
-#include "collider/queries.hpp"
 #include "snapshot.hpp"
 #include <nanobind/stl/tuple.h>
 
@@ -8,6 +7,7 @@ namespace evil::bind {
 
 void register_events(nb::module_& module, nb::class_<World>& world);
 NewShape used(const NewShape& spec, nb::handle offset, double angle, float density, float friction, float restitution);
+void bind_queries(nb::module_& module, nb::class_<World>& world);
 
 void raise_mass(MassProblem problem, const char* owner) {
     const char* what =
@@ -90,24 +90,6 @@ std::vector<std::uint32_t> body_slots(const World& w) { // in creation order
         if (w.bodies.slots.taken(slot)) list.push_back(slot);
     std::ranges::sort(list, {}, [&](std::uint32_t slot) { return w.bodies.rows[slot].serial; });
     return list;
-}
-
-std::optional<Anything> cast_ray(const World& w, nb::handle start, nb::handle end) {
-    Vec2 s = to_vec2(start, "World.ray_cast", "start"), e = to_vec2(end, "World.ray_cast", "end");
-    std::optional<RayHit> hit = ray_cast(w.shapes, w.bodies, s, e);
-    if (!hit) return {};
-    return nb::borrow<Anything>(
-        nb::make_tuple(hit->body, hit->shape, from_vec2(hit->point), from_vec2(hit->normal), hit->fraction));
-}
-
-std::vector<std::uint32_t> overlapping(const World& w, const NewShape& spec, nb::handle at, double angle) {
-    NewShape placed = used(spec, at, angle, 1.0f, 0.0f, 0.0f);
-    Shapes probe;
-    std::uint32_t slot = add_shape_row(probe, placed.shape, placed.corners, placed.parts);
-    bake(probe, slot, {1, 1});
-    std::vector<std::uint32_t> found;
-    bodies_overlapping(w.shapes, w.bodies, probe, found);
-    return found;
 }
 
 std::shared_ptr<SavedState> read_bytes(nb::bytes data) {
@@ -275,16 +257,7 @@ void register_world(nb::module_& module) {
     c.def_prop_ro("angles", [](const World& w) { return view_of(w, &Arrays::angles, 1); });
     c.def_prop_ro("velocities", [](const World& w) { return view_of(w, &Arrays::velocities, 2); });
     c.def_prop_ro("matrices", [](const World& w) { return view_of(w, &Arrays::matrices, 16); });
-    c.def("ray_cast", cast_ray, nb::arg("start"), nb::arg("end"));
-    c.def(
-        "bodies_at",
-        [](const World& w, nb::handle point) {
-            std::vector<std::uint32_t> found;
-            bodies_at(w.shapes, w.bodies, to_vec2(point, "World.bodies_at", "point"), found);
-            return found;
-        },
-        nb::arg("point"));
-    c.def("overlapping", overlapping, nb::arg("shape"), nb::arg("at"), nb::arg("angle"));
+    bind_queries(module, c);
     c.def("snapshot", [](const World& w) {
         std::vector<std::uint8_t> bytes = snapshot(w);
         return nb::bytes(bytes.data(), bytes.size());

@@ -23,6 +23,22 @@ float inner_radius(const Body& body, const Shapes& shapes) {
     return best;
 }
 
+struct Wall {
+    double fraction = 1.0;
+    Vec2 normal;
+};
+
+std::optional<Wall> first_wall(const Bodies& bodies, const Shapes& shapes, Vec2 start, Vec2 end) {
+    std::optional<Wall> first;
+    for (std::uint32_t p = 0; p < shapes.piece_slots.size(); ++p) {
+        const Piece& piece = shapes.pieces[p];
+        if (!shapes.piece_slots.taken(p) || bodies.rows[piece.body].kind != BodyKind::fixed) continue;
+        std::optional<Entry> hit = enter(shapes, piece, bodies.rows[piece.body].pose, start, end);
+        if (hit && (!first || hit->fraction < first->fraction)) first = {hit->fraction, hit->normal};
+    }
+    return first;
+}
+
 } // namespace
 
 void stop_at_walls(std::span<const Path> paths, Bodies& bodies, const Shapes& shapes) {
@@ -32,11 +48,11 @@ void stop_at_walls(std::span<const Path> paths, Bodies& bodies, const Shapes& sh
         Vec2 moved = b.centre - path.start;
         float radius = inner_radius(b, shapes);
         if (length_squared(moved) <= radius * radius) continue;
-        std::optional<RayHit> hit = ray_cast(shapes, bodies, path.start, b.centre, BodyKind::fixed);
+        std::optional<Wall> hit = first_wall(bodies, shapes, path.start, b.centre);
         if (!hit) continue;
         float into = -dot(moved, hit->normal); // metres of the path that lead into the wall
         float back = into > 0.0f ? std::max(radius, kSlop) / into : 0.0f;
-        b.centre = path.start + std::max(0.0f, hit->fraction - back) * moved;
+        b.centre = path.start + std::max(0.0f, static_cast<float>(hit->fraction) - back) * moved;
         place_by_centre(b);
     }
 }

@@ -3,112 +3,141 @@
 namespace evil {
 namespace {
 
-struct Entry {
-    double fraction; // in double: a long ray still meets its target to the millimetre
-    Vec2 normal;     // body frame
+struct Exact { // a point or vector in a piece's frame, in double
+    double x, y;
+};
+Exact operator-(Exact a, Exact b) { return {a.x - b.x, a.y - b.y}; }
+double dot(Exact a, Exact b) { return a.x * b.x + a.y * b.y; }
+Exact exact(Vec2 v) { return {v.x, v.y}; }
+Exact along(Exact start, double t, Exact d) { return {start.x + t * d.x, start.y + t * d.y}; }
+
+// A cosine and a sine of 32 bits are not quite of length 1: what undoes their rotation divides by what they are.
+Exact unrotate(Rot q, Exact v) {
+    double c = q.c, s = q.s, over = 1.0 / (c * c + s * s);
+    return {(c * v.x + s * v.y) * over, (c * v.y - s * v.x) * over};
+}
+Exact to_local(const Pose& pose, Vec2 point) { return unrotate(pose.q, exact(point) - exact(pose.p)); }
+
+Vec2 to_world(const Pose& pose, Exact normal) {
+    double l = std::sqrt(dot(normal, normal)), over = l > 0.0 ? 1.0 / l : 0.0;
+    Vec2 n{static_cast<float>(normal.x * over), static_cast<float>(normal.y * over)};
+    return rotate(pose.q, n) + Vec2{}; // no -0
+}
+
+// A convex piece: corners, and how far its skin reaches out from them. A circle has one corner.
+struct Outline {
+    std::span<const Vec2> points, normals;
+    double radius;
+};
+Outline outline_of(const Shapes& shapes, const Piece& piece) {
+    if (piece.count == 0) return {{&piece.centre, 1}, {}, piece.radius};
+    return {points_of(shapes, piece), normals_of(shapes, piece), piece.radius};
+}
+std::size_t next(const Outline& o, std::size_t i) { return i + 1 < o.points.size() ? i + 1 : 0; }
+
+struct LocalEntry {
+    double fraction = 2.0; // more than 1: none
+    Exact normal{};
 };
 
-// Ray against circle: |p + t d - c|^2 = r^2, the smaller root.
-std::optional<Entry> enter_circle(const Piece& piece, Vec2 start, Vec2 d) {
-    double x = double(start.x) - piece.centre.x, y = double(start.y) - piece.centre.y;
-    double a = double(d.x) * d.x + double(d.y) * d.y, b = x * d.x + y * d.y;
-    double c = x * x + y * y - double(piece.radius) * piece.radius;
+// Ray against circle: |s + t d - c|^2 = r^2, the smaller root.
+void enter_circle(Exact centre, double radius, Exact start, Exact d, LocalEntry& best) {
+    Exact s = start - centre;
+    double a = dot(d, d), b = dot(s, d), c = dot(s, s) - radius * radius;
     double under = b * b - a * c;
-    if (c < 0.0 || b >= 0.0 || under < 0.0 || a == 0.0) return {};
-    double t = (-b - std::sqrt(under)) / a;
-    if (t > 1.0) return {};
-    t = std::max(t, 0.0);
-    return Entry{t, normalised(Vec2{static_cast<float>(x + t * d.x), static_cast<float>(y + t * d.y)})};
+    if (c < 0.0 || b >= 0.0 || under < 0.0 || a == 0.0) return;
+    double t = std::max((-b - std::sqrt(under)) / a, 0.0);
+    if (t < best.fraction) best = {t, along(s, t, d)};
 }
 
 // Ray against convex polygon: cut it by each edge's half plane (Cyrus and Beck 1978).
-std::optional<Entry> enter_polygon(std::span<const Vec2> points, std::span<const Vec2> normals, Vec2 start, Vec2 d) {
+void enter_polygon(const Outline& o, Exact start, Exact d, LocalEntry& best) {
     double enter = -1.0, leave = 1.0;
-    Vec2 normal;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        Vec2 n = normals[i];
-        double height = double(n.x) * (double(start.x) - points[i].x) + double(n.y) * (double(start.y) - points[i].y);
-        double slope = double(n.x) * d.x + double(n.y) * d.y;
+    Exact normal{};
+    for (std::size_t i = 0; i < o.points.size(); ++i) {
+        Exact n = exact(o.normals[i]);
+        double height = dot(n, start - exact(o.points[i])), slope = dot(n, d);
         if (slope == 0.0) {
-            if (height > 0.0) return {};
+            if (height > 0.0) return;
         } else if (slope < 0.0) {
             double t = -height / slope;
             if (t > enter) enter = t, normal = n;
         } else {
             leave = std::min(leave, -height / slope);
         }
-        if (enter > leave) return {};
+        if (enter > leave) return;
     }
-    if (enter < 0.0) return {}; // it starts inside, or leads away
-    return Entry{enter, normal};
+    if (enter >= 0.0) best = {enter, normal}; // else it starts inside, or leads away
 }
 
-// Every live piece, by the order in which bodies and shapes were numbered.
-template <class Visit> void for_each_piece(const Shapes& shapes, const Bodies& bodies, Visit&& visit) {
-    for (std::uint32_t p = 0; p < shapes.piece_slots.size(); ++p)
-        if (shapes.piece_slots.taken(p)) visit(shapes.pieces[p], bodies.rows[shapes.pieces[p].body]);
+// Ray against the edges, moved out by the skin, and the circles that it makes round the corners.
+//
+//       ____________
+//     /  ._________.\      the skin of a piece starts at a corner's circle
+//    |   |         | |     and goes on as an edge
+void enter_rounded(const Outline& o, Exact start, Exact d, LocalEntry& best) {
+    for (std::size_t i = 0; i < o.normals.size(); ++i) {
+        Exact n = exact(o.normals[i]), from = along(exact(o.points[i]), o.radius, n);
+        Exact edge = exact(o.points[next(o, i)]) - exact(o.points[i]);
+        double height = dot(n, start - from), slope = dot(n, d);
+        if (slope >= 0.0 || height < 0.0) continue;
+        double t = -height / slope, at = dot(along(start, t, d) - from, edge);
+        if (t < best.fraction && at >= 0.0 && at <= dot(edge, edge)) best = {t, n};
+    }
+    if (o.radius > 0.0)
+        for (Vec2 corner : o.points) enter_circle(exact(corner), o.radius, start, d, best);
 }
 
-void add_once(std::vector<std::uint32_t>& found, std::uint32_t body) {
-    if (std::ranges::find(found, body) == found.end()) found.push_back(body);
-}
+struct LocalNear {
+    double distance; // from the corners' hull, without the skin
+    Exact point;     // of the hull
+};
 
-void by_creation(const Bodies& bodies, std::vector<std::uint32_t>& found) {
-    std::ranges::sort(found, {}, [&](std::uint32_t body) { return bodies.rows[body].serial; });
+LocalNear nearest_of_hull(const Outline& o, Exact p) {
+    bool inside = o.points.size() > 2;
+    LocalNear best{1e300, p};
+    for (std::size_t i = 0; i < o.points.size(); ++i) {
+        Exact a = exact(o.points[i]), edge = exact(o.points[next(o, i)]) - a, arm = p - a;
+        if (inside && dot(exact(o.normals[i]), arm) > 0.0) inside = false;
+        double whole = dot(edge, edge), t = whole > 0.0 ? std::clamp(dot(arm, edge) / whole, 0.0, 1.0) : 0.0;
+        Exact q = along(a, t, edge), off = p - q;
+        double distance = std::sqrt(dot(off, off));
+        if (distance < best.distance) best = {distance, q};
+    }
+    return inside ? LocalNear{0.0, p} : best;
 }
 
 } // namespace
 
-std::optional<RayHit> ray_cast(const Shapes& shapes, const Bodies& bodies, Vec2 start, Vec2 end,
-                               std::optional<BodyKind> only) {
-    RayHit best;
-    double nearest = 1.0;
-    for_each_piece(shapes, bodies, [&](const Piece& piece, const Body& body) {
-        if (only && body.kind != *only) return;
-        Vec2 s = untransform(body.pose, start), d = unrotate(body.pose.q, end - start);
-        std::optional<Entry> hit = piece.count == 0
-                                       ? enter_circle(piece, s, d)
-                                       : enter_polygon(points_of(shapes, piece), normals_of(shapes, piece), s, d);
-        if (!hit || hit->fraction > nearest || (hit->fraction == nearest && best.body != kNone)) return;
-        double t = nearest = hit->fraction;
-        Vec2 point{static_cast<float>(start.x + t * (double(end.x) - start.x)),
-                   static_cast<float>(start.y + t * (double(end.y) - start.y))};
-        Vec2 normal = rotate(body.pose.q, hit->normal) + Vec2{}; // no -0
-        best = {piece.shape, piece.body, point, normal, static_cast<float>(t)};
-    });
-    if (best.body == kNone) return {};
-    return best;
+std::optional<Entry> enter(const Shapes& shapes, const Piece& piece, const Pose& pose, Vec2 start, Vec2 end) {
+    Exact s = to_local(pose, start), d = unrotate(pose.q, exact(end) - exact(start));
+    Outline o = outline_of(shapes, piece);
+    LocalEntry best;
+    if (piece.count == 0)
+        enter_circle(exact(piece.centre), o.radius, s, d, best);
+    else if (piece.count > 2 && piece.radius == 0.0f)
+        enter_polygon(o, s, d, best);
+    else if (nearest_of_hull(o, s).distance >= o.radius)
+        enter_rounded(o, s, d, best);
+    if (best.fraction > 1.0) return {};
+    return Entry{best.fraction, to_world(pose, best.normal)};
 }
 
 bool contains(const Shapes& shapes, const Piece& piece, const Pose& pose, Vec2 point) {
-    Vec2 local = untransform(pose, point);
-    if (piece.count == 0) return length_squared(local - piece.centre) <= piece.radius * piece.radius;
-    std::span<const Vec2> points = points_of(shapes, piece), normals = normals_of(shapes, piece);
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (dot(normals[i], local - points[i]) > 0.0f) return false;
-    return true;
+    Outline o = outline_of(shapes, piece);
+    return nearest_of_hull(o, to_local(pose, point)).distance <= o.radius;
 }
 
-void bodies_at(const Shapes& shapes, const Bodies& bodies, Vec2 point, std::vector<std::uint32_t>& found) {
-    for_each_piece(shapes, bodies, [&](const Piece& piece, const Body& body) {
-        if (contains(shapes, piece, body.pose, point)) add_once(found, piece.body);
-    });
-    by_creation(bodies, found);
-}
-
-void bodies_overlapping(const Shapes& shapes, const Bodies& bodies, const Shapes& probe,
-                        std::vector<std::uint32_t>& found) {
-    for (std::uint32_t q = 0; q < probe.piece_slots.size(); ++q) {
-        const Piece& mine = probe.pieces[q];
-        Bounds bounds = bounds_of(probe, mine, Pose{});
-        for_each_piece(shapes, bodies, [&](const Piece& piece, const Body& body) {
-            if (!overlap(bounds, bounds_of(shapes, piece, body.pose))) return;
-            Axis none;
-            if (collide(place(probe, mine, Pose{}), place(shapes, piece, body.pose), 0.0f, none).count > 0)
-                add_once(found, piece.body);
-        });
-    }
-    by_creation(bodies, found);
+Near nearest_point(const Shapes& shapes, const Piece& piece, const Pose& pose, Vec2 point) {
+    Outline o = outline_of(shapes, piece);
+    Exact p = to_local(pose, point);
+    LocalNear near = nearest_of_hull(o, p);
+    if (near.distance <= o.radius) return {0.0, point};
+    Exact q = along(near.point, o.radius / near.distance, p - near.point);
+    double c = pose.q.c, s = pose.q.s;
+    Vec2 world{static_cast<float>(c * q.x - s * q.y + double(pose.p.x)),
+               static_cast<float>(s * q.x + c * q.y + double(pose.p.y))};
+    return {near.distance - o.radius, world};
 }
 
 } // namespace evil

@@ -31,8 +31,9 @@ from evilengine.values.image import Image
 from evilengine.values.vec2 import Vec2
 from evilengine.values.version import VERSION
 from evilengine.world.body import Body, Shape
-from evilengine.world.contacts import Contact, RayHit
+from evilengine.world.contacts import Contact
 from evilengine.world.forces import ConstantForce, Drag, Force, Gravity, Medium, Pull, Spring
+from evilengine.world.queries import RayHit
 from evilengine.world.shapes import Circle, Particle, Polygon, Rectangle, Triangle
 from evilengine.world.world import World
 

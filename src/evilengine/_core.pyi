@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import Any, Final, Never, overload
 
 import evilengine.values.vec2
+import evilengine.world.body
 
 
 class View:
@@ -206,11 +207,23 @@ class World:
     @property
     def matrices(self) -> View: ...
 
-    def ray_cast(self, start: object, end: object) -> tuple[Any, ...] | None: ...
+    def ray_cast(self, owner: object, start: object, end: object, kinds: int, ignored: tuple[int, ...]) -> RayHit | None: ...
 
-    def bodies_at(self, point: object) -> list[int]: ...
+    def ray_cast_all(self, owner: object, start: object, end: object, kinds: int, ignored: tuple[int, ...]) -> tuple[RayHit, ...]: ...
 
-    def overlapping(self, shape: ShapeSpec, at: object, angle: float) -> list[int]: ...
+    def ray_casts(self, owner: object, starts: object | None, ends: object | None, kinds: int, ignored: object) -> RayHits: ...
+
+    def nearest(self, owner: object, point: object, within: float, kinds: int, ignored: tuple[int, ...]) -> Nearest | None: ...
+
+    def nearest_each(self, owner: object, points: object | None, within: float, kinds: int, ignored: object) -> Nearests: ...
+
+    def bodies_at(self, point: object | None, kinds: int, ignored: object) -> list[int]: ...
+
+    def bodies_at_each(self, owner: object, points: object | None, kinds: int, ignored: object) -> BodyLists: ...
+
+    def overlapping(self, shape: ShapeSpec, at: object | None, angle: float, kinds: int, ignored: object) -> list[int]: ...
+
+    def overlapping_each(self, owner: object, shape: ShapeSpec, at: object | None, angle: object | None, kinds: int, ignored: object) -> BodyLists: ...
 
     def snapshot(self) -> bytes: ...
 
@@ -254,6 +267,135 @@ class Touches:
 
     @property
     def speeds(self) -> Column: ...
+
+class RayHit:
+    """Where a ray, or a shape that is moved, meets a shape."""
+
+    @property
+    def body(self) -> evilengine.world.body.Body:
+        """Whose shape it is."""
+
+    @property
+    def shape(self) -> evilengine.world.body.Shape:
+        """Which of its shapes."""
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __hash__(self) -> int: ...
+
+    @property
+    def point(self) -> evilengine.values.vec2.Vec2:
+        """Where, in the world."""
+
+    @property
+    def normal(self) -> evilengine.values.vec2.Vec2:
+        """Direction of length 1 out of the shape."""
+
+    @property
+    def fraction(self) -> float:
+        """How far along the way, 0 at its start, 1 at its end."""
+
+    def __repr__(self) -> str: ...
+
+class Nearest:
+    """The shape that is nearest to a point."""
+
+    @property
+    def body(self) -> evilengine.world.body.Body:
+        """Whose shape it is."""
+
+    @property
+    def shape(self) -> evilengine.world.body.Shape:
+        """Which of its shapes."""
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __hash__(self) -> int: ...
+
+    @property
+    def point(self) -> evilengine.values.vec2.Vec2:
+        """The point of the shape that is nearest."""
+
+    @property
+    def distance(self) -> float:
+        """Metres; 0 when the shape covers the point."""
+
+    def __repr__(self) -> str: ...
+
+class RayHits:
+    """
+    What many rays, or shapes that are moved, met: columns with a row for each. `hits[i]` is its RayHit or None; `numpy.asarray(hits.points)` needs no copy.
+    """
+
+    def __len__(self) -> int: ...
+
+    def __getitem__(self, arg: int, /) -> object: ...
+
+    @property
+    def bodies(self) -> memoryview:
+        """
+        (n,) int32: slots of the bodies, as in the rows of world.bodies.positions; -1 where there is none.
+        """
+
+    @property
+    def shapes(self) -> memoryview:
+        """(n,) int32: slots of the shapes; -1 where there is none."""
+
+    @property
+    def points(self) -> memoryview:
+        """(n, 2) float32: where in the world."""
+
+    @property
+    def normals(self) -> memoryview:
+        """(n, 2) float32: out of the shape; zeros where nothing was met."""
+
+    @property
+    def fractions(self) -> memoryview:
+        """(n,) float32: how far along the way; 1 where nothing was met."""
+
+class Nearests:
+    """
+    What is nearest to many points: columns with a row for each. `found[i]` is its Nearest or None.
+    """
+
+    def __len__(self) -> int: ...
+
+    def __getitem__(self, arg: int, /) -> object: ...
+
+    @property
+    def bodies(self) -> memoryview:
+        """
+        (n,) int32: slots of the bodies, as in the rows of world.bodies.positions; -1 where there is none.
+        """
+
+    @property
+    def shapes(self) -> memoryview:
+        """(n,) int32: slots of the shapes; -1 where there is none."""
+
+    @property
+    def points(self) -> memoryview:
+        """(n, 2) float32: where in the world."""
+
+    @property
+    def distances(self) -> memoryview:
+        """(n,) float32: metres; infinite where nothing is near enough."""
+
+class BodyLists:
+    """
+    The bodies that many questions found: `found[i]` is the tuple of bodies of question i. As arrays: its bodies' slots are `bodies[starts[i]:starts[i + 1]]`.
+    """
+
+    def __len__(self) -> int: ...
+
+    def __getitem__(self, index: int, /) -> tuple[evilengine.world.body.Body, ...]: ...
+
+    @property
+    def bodies(self) -> memoryview:
+        """uint32: slots of all bodies found."""
+
+    @property
+    def starts(self) -> memoryview:
+        """(n + 1,) uint32: where each question's begin."""
 
 class Saved:
     """A snapshot that was read and found whole."""

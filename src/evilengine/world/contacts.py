@@ -43,19 +43,6 @@ class Contact:
         raise ArgumentError(f"Contact.other({body!r}): this contact is between {self.a!r} and {self.b!r}")
 
 
-@dataclass(frozen=True, slots=True)
-class RayHit:
-    """Where a ray enters a shape."""
-
-    body: Body
-    shape: Shape
-    point: Vec2
-    normal: Vec2
-    """Direction of length 1 out of the shape."""
-    fraction: float
-    """How far along the ray, 0 at its start, 1 at its end."""
-
-
 class ContactList(Sequence[Contact]):
     """Contacts, one by one or, for bulk readers, as columns: read-only buffers with a row for each, which
     `numpy.asarray` takes as they are.

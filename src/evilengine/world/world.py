@@ -14,10 +14,11 @@ from evilengine.world import saving, stepping
 from evilengine.world.arguments import flag, listed, place, several, speed
 from evilengine.world.bodies import Bodies
 from evilengine.world.body import KINDS, Body, Motion, Shape, to_tag
-from evilengine.world.contacts import Contacts, RayHit
+from evilengine.world.contacts import Contacts
 from evilengine.world.events import Events
 from evilengine.world.forces import Force
-from evilengine.world.shapes import ShapeDefinition, to_shape
+from evilengine.world.queries import Queries
+from evilengine.world.shapes import ShapeDefinition
 
 MAX_STEP = 1.0
 """Seconds: the longest step. A longer one is a mistake in units."""
@@ -28,7 +29,7 @@ MAX_SPIN = 1e4
 AnyForce = TypeVar("AnyForce", bound=Force)
 
 
-class World:
+class World(Queries):
     """Bodies, forces and contacts, and the step that moves them.
 
     `gravity` in m/s2; `sleep` lets bodies that rest cost nothing; `threads` is how many threads a step may use (the
@@ -267,47 +268,6 @@ class World:
     def find(self, tag: str) -> Body | None:
         """The first body, in creation order, with that tag, or None."""
         return next((body for body in self.bodies if body._tag == tag), None)
-
-    @known_keywords
-    def ray_cast(self, start: Point, end: Point) -> RayHit | None:
-        """First shape that the segment from `start` to `end` enters (world coordinates, metres), or None.
-
-        A shape that the segment starts in does not count. Both must be within 1e7 metres of the origin.
-
-        >>> world = evil.World(); wall = world.add(evil.Rectangle(1, 4), at=(5, 0), kind="static")
-        >>> hit = world.ray_cast((0, 0), (10, 0))
-        >>> hit.body is wall, hit.point, hit.normal
-        (True, Vec2(4.5, 0.0), Vec2(-1.0, 0.0))
-        """
-        me = "World.ray_cast"
-        hit = self._core.ray_cast(place(start, me, "start"), place(end, me, "end"))
-        if hit is None:
-            return None
-        body, shape, point, normal, fraction = hit
-        return RayHit(self._body(body), self._shape(shape), point, normal, fraction)
-
-    @known_keywords
-    def bodies_at(self, point: Point) -> tuple[Body, ...]:
-        """Bodies with a shape over the point, in creation order.
-
-        >>> world = evil.World(); box = world.add(evil.Rectangle(2, 2))
-        >>> world.bodies_at((0.5, 0.5)) == (box,), world.bodies_at((5, 5))
-        (True, ())
-        """
-        return tuple(self._body(slot) for slot in self._core.bodies_at(to_vec2(point, "World.bodies_at", "point")))
-
-    @known_keywords
-    def overlapping(self, shape: ShapeDefinition, *, at: Point = (0.0, 0.0), angle: float = 0.0) -> tuple[Body, ...]:
-        """Bodies that `shape`, placed `at` and turned by `angle`, would overlap, in creation order.
-
-        >>> world = evil.World(); box = world.add(evil.Rectangle(2, 2))
-        >>> world.overlapping(evil.Circle(1), at=(1.5, 0)) == (box,)
-        True
-        """
-        me = "World.overlapping"
-        spec = to_shape(shape, me)._spec
-        slots = self._core.overlapping(spec, to_vec2(at, me, "at"), number(angle, me, "angle"))
-        return tuple(self._body(slot) for slot in slots)
 
     # -- saving --
 
