@@ -24,18 +24,18 @@ inline Vec2 clamped(Vec2 v, float limit) { return {clamped(v.x, limit), clamped(
 
 inline constexpr float kMaxForce = 1e30f; // newtons, and whatever else only has to stay finite
 
-struct Body {
+// What every step reads of every body comes first, in 64 bytes, so that one line of the cache holds it (collider/placed.hpp).
+struct alignas(64) Body {
     BodyKind kind = BodyKind::dynamic;
     bool bullet = false, touchable = false, awake = true;
+    float spin = 0.0f;      // angular velocity
+    Pose pose;              // body to world: p is the origin that shapes are placed by, q the rotation by `angle`
+    Vec2 centre;            // centre of mass, world
+    Vec2 velocity;          // of the centre of mass
+    Vec2 local_centre;      // centre of mass, body frame
+    double angle = 0.0;     // radians, not wrapped; double so that a wheel may turn for hours
+    Vec2 scale{1, 1};       // of every shape on the body
     bool told_awake = true; // what was told of it last: a change is an event
-
-    Pose pose;          // body to world: p is the origin that shapes are placed by, q the rotation by `angle`
-    double angle = 0.0; // radians, not wrapped; double so that a wheel may turn for hours
-    Vec2 scale{1, 1};   // of every shape on the body
-    Vec2 centre;        // centre of mass, world
-    Vec2 local_centre;  // centre of mass, body frame
-    Vec2 velocity;      // of the centre of mass
-    float spin = 0.0f;  // angular velocity
 
     Vec2 force; // gathered since the last step, cleared by it
     float torque = 0.0f;

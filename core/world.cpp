@@ -5,7 +5,9 @@ namespace evil {
 void World::step(float dt, int substeps) {
     Threads::Shift shift(threads);
     previous = present;
-    find_pairs(broad, shapes, bodies, dt, contacts.scratch.pairs); // approximate: whose bounds meet
+    place_pieces(placed, shapes, bodies, dt, instruction_set, threads);
+    // approximate: whose bounds meet
+    find_pairs(broad, placed, bodies, contacts.scratch.pairs, instruction_set, threads);
     match_pairs(contacts, shapes);
     update_manifolds(contacts, shapes, bodies, dt); // exact: SAT, contact points
     wake_islands(solver, bodies, contacts, forces);

@@ -44,6 +44,7 @@ struct World {
     Threads threads;
 
     // Scratch: losing it changes nothing
+    Placements placed;
     BroadPhase broad;
     Solver solver;
     Search search;

@@ -1,4 +1,6 @@
 #include "collider/broad_phase.hpp"
+#include "collider/broad_phase_wide.hpp"
+#include <bit>
 
 namespace evil {
 
@@ -19,120 +21,255 @@ Bounds bounds_of(const Shapes& shapes, const Piece& piece, const Pose& pose) {
 
 namespace {
 
-// Each side grows by half the margin and by the piece's own reach within the step, so that two grown bounds meet before
-// the pieces can.
-Bounds swept_bounds(const Shapes& shapes, const Piece& piece, const Body& body, float dt) {
-    Bounds bounds = bounds_of(shapes, piece, body.pose);
-    float grow = 0.5f * kMargin;
-    if (moves(body)) {
-        float arm = length(piece.centre - body.local_centre) + piece.reach;
-        float turn = std::min(std::abs(body.spin) * dt, 2.0f);
-        grow += turn * arm;
-        Vec2 path = dt * body.velocity;
-        bounds.low = bounds.low + min(path, Vec2{});
-        bounds.high = bounds.high + max(path, Vec2{});
-    }
-    Vec2 g{grow, grow};
-    return {bounds.low - g, bounds.high + g};
+constexpr std::int32_t kLeastOctave = -16, kOctaves = 48; // 2^-16 to 2^32 metres; smaller and larger go with the last
+constexpr std::size_t kLanes = 8;
+constexpr std::size_t kGrain = 512;      // entries a chunk
+constexpr double kCellSlack = 1.0 / 64;  // of a cell: more than the middles' rounding
+constexpr std::uint32_t kDigitBits = 11; // of a pass of the sort: its counts stay in the nearest cache
+
+std::size_t octave_of(std::int32_t octave) {
+    return static_cast<std::size_t>(std::clamp(octave - kLeastOctave, 0, kOctaves - 1));
 }
 
-// 2^-6 metres: smaller, and cell numbers at the world's edge would leave 32 bits.
-constexpr float kSmallestCell = 1.0f / 64.0f;
-
-float cell_size(int level) { return std::ldexp(kSmallestCell, level); }
-
-int level_of(const Bounds& b) {
-    float extent = std::max(b.high.x - b.low.x, b.high.y - b.low.y);
-    int level = 0;
-    while (level + 1 < BroadPhase::kLevels && cell_size(level) < extent) ++level;
-    return level;
-}
-
-struct Cell {
-    std::int64_t x, y;
-};
-
-Cell cell_of(const Bounds& b, int level) {
-    double size = double(cell_size(level));
-    return {static_cast<std::int64_t>(std::floor(0.5 * (double(b.low.x) + double(b.high.x)) / size)),
-            static_cast<std::int64_t>(std::floor(0.5 * (double(b.low.y) + double(b.high.y)) / size))};
-}
-
-constexpr std::int64_t kMiddle = std::int64_t{1} << 31; // cell numbers are stored from 0 up
-
-std::uint64_t key_of(Cell c) {
-    return static_cast<std::uint64_t>(c.y + kMiddle) << 32 | static_cast<std::uint64_t>(c.x + kMiddle);
-}
-
-void try_pair(BroadPhase& broad, const BroadPhase::Entry& e, const BroadPhase::Entry& f) {
-    if (!overlap(e.bounds, f.bounds) || e.body == f.body || !(e.dynamic || f.dynamic)) return;
-    broad.unsorted.push_back({std::min(e.piece, f.piece), std::max(e.piece, f.piece)});
-}
-
-// Each entry with those after it in its own cell and the next, and with the three cells of the row above. Rows are met in
-// order, so a marker into the row above only moves on.
-//
-//      row above    [ c-1 ][  c  ][ c+1 ]
-//      own row             [  c  ][ c+1 ]
-void pair_within(BroadPhase& broad, const std::vector<BroadPhase::Entry>& level) {
-    std::size_t above = 0;
-    for (std::size_t i = 0; i < level.size(); ++i) {
-        const auto& e = level[i];
-        for (std::size_t j = i + 1; j < level.size() && level[j].cell <= e.cell + 1; ++j) try_pair(broad, e, level[j]);
-        std::uint64_t first = e.cell + (std::uint64_t{1} << 32) - 1;
-        while (above < level.size() && level[above].cell < first) ++above;
-        for (std::size_t j = above; j < level.size() && level[j].cell <= first + 2; ++j) try_pair(broad, e, level[j]);
+// Octaves of size in pairs of neighbours, the most populous first: what is alike lies in one grid.
+void choose_grids(BroadPhase& broad, const Placements& placed, std::size_t (&grid_of)[kOctaves]) {
+    std::size_t population[kOctaves] = {};
+    for (std::int32_t octave : placed.octaves)
+        if (octave != kNoOctave) ++population[octave_of(octave)];
+    broad.used = 0;
+    while (true) {
+        std::size_t most = 0;
+        for (std::size_t o = 1; o < kOctaves; ++o)
+            if (population[o] > population[most]) most = o;
+        if (population[most] == 0) return;
+        std::size_t below = most > 0 ? population[most - 1] : 0, above = most + 1 < kOctaves ? population[most + 1] : 0;
+        std::size_t beside = below > above ? most - 1 : most + 1;
+        grid_of[most] = broad.used;
+        population[most] = 0;
+        if (std::max(below, above) > 0) {
+            grid_of[beside] = broad.used;
+            population[beside] = 0;
+        }
+        ++broad.used;
     }
 }
 
-// Each entry of a finer level with the nine cells round it of a coarser one, which holds few as a rule.
-void pair_across(BroadPhase& broad, const std::vector<BroadPhase::Entry>& fine, int coarse_level) {
-    const auto& coarse = broad.levels[coarse_level];
-    for (const auto& e : fine) {
-        Cell c = cell_of(e.bounds, coarse_level);
-        for (std::int64_t row = -1; row <= 1; ++row) {
-            std::uint64_t first = key_of({c.x - 1, c.y + row});
-            auto f = std::ranges::lower_bound(coarse, first, {}, &BroadPhase::Entry::cell);
-            for (; f != coarse.end() && f->cell <= first + 2; ++f) try_pair(broad, e, *f);
+void deal_out(BroadPhase& broad, const Placements& placed) {
+    std::size_t grid_of[kOctaves];
+    choose_grids(broad, placed, grid_of);
+    if (broad.grids.size() < broad.used) broad.grids.resize(broad.used), broad.members.resize(broad.used);
+    for (auto& members : broad.members) members.clear();
+    for (std::uint32_t p = 0; p < placed.octaves.size(); ++p)
+        if (placed.octaves[p] != kNoOctave) broad.members[grid_of[octave_of(placed.octaves[p])]].push_back(p);
+}
+
+// The plane that the middles of the bounds span, in cells.
+void lay_out(Grid& grid, const Placements& placed, std::span<const std::uint32_t> members) {
+    double low_x = 1e300, low_y = 1e300, high_x = -1e300, high_y = -1e300;
+    grid.widest = 0.0f;
+    for (std::uint32_t p : members) {
+        double x = 0.5 * (double(placed.low_x[p]) + double(placed.high_x[p]));
+        double y = 0.5 * (double(placed.low_y[p]) + double(placed.high_y[p]));
+        low_x = std::min(low_x, x), high_x = std::max(high_x, x);
+        low_y = std::min(low_y, y), high_y = std::max(high_y, y);
+        float width = placed.high_x[p] - placed.low_x[p], height = placed.high_y[p] - placed.low_y[p];
+        grid.widest = std::max(grid.widest, std::max(width, height));
+    }
+    grid.origin_x = low_x;
+    grid.origin_y = low_y;
+    grid.cell = double(grid.widest) * (1.0 + kCellSlack);
+    grid.columns = static_cast<std::int64_t>((high_x - low_x) / grid.cell) + 1;
+    grid.rows = static_cast<std::int64_t>((high_y - low_y) / grid.cell) + 1;
+    grid.column_bits = static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint64_t>(grid.columns + 1)));
+}
+
+void number_cells(BroadPhase& broad, const Grid& grid, const Placements& placed,
+                  std::span<const std::uint32_t> members) {
+    broad.items.resize(members.size());
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        std::uint32_t p = members[i];
+        double x = 0.5 * (double(placed.low_x[p]) + double(placed.high_x[p])) - grid.origin_x;
+        double y = 0.5 * (double(placed.low_y[p]) + double(placed.high_y[p])) - grid.origin_y;
+        auto column = static_cast<std::uint64_t>(static_cast<std::int64_t>(x / grid.cell) + 1);
+        auto row = static_cast<std::uint64_t>(static_cast<std::int64_t>(y / grid.cell));
+        broad.items[i] = {row << grid.column_bits | column, p};
+    }
+}
+
+// Radix sort, lowest digit first, as many equal digits as the highest cell number takes.
+void sort_items(BroadPhase& broad, std::uint64_t highest) {
+    auto bits = static_cast<std::uint32_t>(std::bit_width(highest));
+    std::uint32_t passes = (bits + kDigitBits - 1) / kDigitBits, digit = passes > 0 ? (bits + passes - 1) / passes : 0;
+    broad.spare.resize(broad.items.size());
+    for (std::uint32_t pass = 0; pass < passes; ++pass) {
+        std::uint32_t shift = pass * digit;
+        std::uint64_t mask = (std::uint64_t{1} << digit) - 1;
+        broad.counts.assign(mask + 2, 0);
+        for (const auto& item : broad.items) ++broad.counts[(item.cell >> shift & mask) + 1];
+        for (std::size_t i = 1; i < broad.counts.size(); ++i) broad.counts[i] += broad.counts[i - 1];
+        for (const auto& item : broad.items) broad.spare[broad.counts[item.cell >> shift & mask]++] = item;
+        std::swap(broad.items, broad.spare);
+    }
+}
+
+void fill(Grid& grid, const Placements& placed, const Bodies& bodies, std::span<const BroadPhase::Item> items) {
+    std::size_t n = items.size();
+    grid.cells.resize(n);
+    grid.pieces.resize(n);
+    grid.owners.resize(n);
+    for (auto* side : {&grid.low_x, &grid.low_y, &grid.high_x, &grid.high_y}) side->resize(n + kLanes);
+    for (std::size_t i = 0; i < n; ++i) {
+        std::uint32_t p = items[i].piece, body = placed.bodies[p];
+        grid.cells[i] = items[i].cell;
+        grid.pieces[i] = p;
+        grid.owners[i] = body | (bodies.rows[body].kind == BodyKind::dynamic ? kDynamicOwner : 0u);
+        grid.low_x[i] = placed.low_x[p];
+        grid.low_y[i] = placed.low_y[p];
+        grid.high_x[i] = placed.high_x[p];
+        grid.high_y[i] = placed.high_y[p];
+    }
+}
+
+GridView view(const Grid& g) {
+    return {g.cells.data(),  g.low_x.data(),  g.low_y.data(), g.high_x.data(), g.high_y.data(),
+            g.pieces.data(), g.owners.data(), g.cells.size(), g.column_bits,   g.origin_x,
+            g.origin_y,      g.cell,          g.columns,      g.rows};
+}
+
+// Calls find(first, last, found) until it is through, with a list that grows.
+template <class Find>
+void find_all(std::vector<std::uint64_t>& list, std::size_t& count, std::size_t first, std::size_t last, Find&& find) {
+    FoundPairs found{list.data(), 0, list.size()};
+    while (true) {
+        first = find(first, last, found);
+        if (first >= last) break;
+        list.resize(std::max<std::size_t>(4096, 2 * list.size()));
+        found.list = list.data();
+        found.capacity = list.size();
+    }
+    count = found.count;
+}
+
+// In chunks of its own lists, from list `next` on; the next free one.
+template <class Find>
+std::size_t find_in_chunks(BroadPhase& broad, std::size_t next, std::size_t count, Threads& threads, Find&& find) {
+    std::size_t chunks = (count + kGrain - 1) / kGrain;
+    if (broad.found.size() < next + chunks) broad.found.resize(next + chunks);
+    broad.found_counts.resize(next + chunks);
+    parallel_for(threads, count, kGrain, [&](std::size_t first, std::size_t last) {
+        std::size_t mine = next + first / kGrain;
+        find_all(broad.found[mine], broad.found_counts[mine], first, last, find);
+    });
+    return next + chunks;
+}
+
+// Does one side of the form keep the bounds of the other piece away, on the form's way through the step?
+bool form_keeps_apart(const Placements& placed, std::uint32_t large, std::uint32_t small) {
+    const PlacedForm& f = placed.forms[large];
+    Vec2 middle = f.origin + f.arm + 0.5f * f.path;
+    Vec2 low{placed.low_x[small], placed.low_y[small]}, high{placed.high_x[small], placed.high_y[small]};
+    Vec2 apart = 0.5f * (low + high) - middle, size = 0.5f * (high - low);
+    Vec2 away = unrotate(f.turn, apart), path = unrotate(f.turn, 0.5f * f.path);
+    float c = std::abs(f.turn.c), s = std::abs(f.turn.s), thick = f.radius + f.grow;
+    return std::abs(away.x) > f.half.x + thick + std::abs(path.x) + c * size.x + s * size.y ||
+           std::abs(away.y) > f.half.y + thick + std::abs(path.y) + s * size.x + c * size.y;
+}
+
+// A long wall aslant has bounds that hold half the world: there its own sides tell more.
+bool kept_apart(const Placements& placed, std::uint64_t pair) {
+    auto a = static_cast<std::uint32_t>(pair >> 32), b = static_cast<std::uint32_t>(pair);
+    constexpr std::int32_t kMuchLarger = 2; // octaves
+    std::int32_t larger = placed.octaves[a] - placed.octaves[b];
+    return (larger >= kMuchLarger && form_keeps_apart(placed, a, b)) ||
+           (larger <= -kMuchLarger && form_keeps_apart(placed, b, a));
+}
+
+std::size_t find_within(BroadPhase& broad, InstructionSet set, Threads& threads) {
+    auto within = EVIL_PICK(set, pair_within);
+    std::size_t next = 0;
+    for (std::size_t g = 0; g < broad.used; ++g) {
+        GridView grid = view(broad.grids[g]);
+        next = find_in_chunks(
+            broad, next, grid.count, threads,
+            [&](std::size_t first, std::size_t last, FoundPairs& found) { return within(grid, first, last, found); });
+    }
+    return next;
+}
+
+// Rows of cells that one grid's entries would look at in the other.
+double work(const Grid& from, const Grid& in) {
+    return static_cast<double>(from.cells.size()) * (double(from.widest) / in.cell + 2.0);
+}
+
+std::size_t find_across(BroadPhase& broad, std::size_t next, InstructionSet set, Threads& threads) {
+    auto across = EVIL_PICK(set, pair_across);
+    for (std::size_t g = 0; g < broad.used; ++g) {
+        for (std::size_t h = g + 1; h < broad.used; ++h) {
+            bool turned = work(broad.grids[h], broad.grids[g]) < work(broad.grids[g], broad.grids[h]);
+            GridView from = view(broad.grids[turned ? h : g]), in = view(broad.grids[turned ? g : h]);
+            next = find_in_chunks(broad, next, from.count, threads,
+                                  [&](std::size_t first, std::size_t last, FoundPairs& found) {
+                                      return across(from, in, first, last, found);
+                                  });
+        }
+    }
+    return next;
+}
+
+void drop_kept_apart(BroadPhase& broad, const Placements& placed, std::size_t first, std::size_t last) {
+    for (std::size_t chunk = first; chunk < last; ++chunk) {
+        auto begin = broad.found[chunk].begin(), end = begin + static_cast<std::ptrdiff_t>(broad.found_counts[chunk]);
+        end = std::remove_if(begin, end, [&](std::uint64_t pair) { return kept_apart(placed, pair); });
+        broad.found_counts[chunk] = static_cast<std::size_t>(end - begin);
+    }
+}
+
+// Counting sort by the first piece, then each piece's few by the second.
+void sort_pairs(BroadPhase& broad, std::size_t chunks, std::size_t pieces, std::vector<Pair>& pairs) {
+    auto& starts = broad.starts;
+    starts.assign(pieces + 1, 0);
+    auto each = [&](auto&& visit) {
+        for (std::size_t chunk = 0; chunk < chunks; ++chunk)
+            for (std::size_t i = 0; i < broad.found_counts[chunk]; ++i) visit(broad.found[chunk][i]);
+    };
+    each([&](std::uint64_t pair) { ++starts[(pair >> 32) + 1]; });
+    for (std::size_t i = 0; i < pieces; ++i) starts[i + 1] += starts[i];
+    pairs.resize(starts[pieces]);
+    each([&](std::uint64_t pair) {
+        auto a = static_cast<std::uint32_t>(pair >> 32);
+        pairs[starts[a]++] = {a, static_cast<std::uint32_t>(pair)};
+    });
+    auto by_second = [](Pair p, Pair q) { return p.b < q.b; };
+    std::uint32_t begin = 0;
+    for (std::size_t i = 0; i < pieces; begin = starts[i++]) {
+        if (starts[i] - begin > 16) {
+            std::sort(pairs.begin() + begin, pairs.begin() + starts[i], by_second);
+            continue;
+        }
+        for (std::uint32_t k = begin + 1; k < starts[i]; ++k) { // most have two or three
+            Pair moving = pairs[k];
+            std::uint32_t at = k;
+            for (; at > begin && by_second(moving, pairs[at - 1]); --at) pairs[at] = pairs[at - 1];
+            pairs[at] = moving;
         }
     }
 }
 
-void sort_pairs(BroadPhase& broad, std::uint32_t pieces, std::vector<Pair>& pairs) {
-    auto& starts = broad.starts; // counting sort by the first piece, then each piece's few by the second
-    starts.assign(pieces + 1, 0);
-    for (Pair p : broad.unsorted) ++starts[p.a + 1];
-    for (std::uint32_t i = 0; i < pieces; ++i) starts[i + 1] += starts[i];
-    pairs.resize(broad.unsorted.size());
-    for (Pair p : broad.unsorted) pairs[starts[p.a]++] = p;
-    std::uint32_t begin = 0;
-    for (std::uint32_t i = 0; i < pieces; begin = starts[i++])
-        std::sort(pairs.begin() + begin, pairs.begin() + starts[i]);
-}
-
 } // namespace
 
-void find_pairs(BroadPhase& broad, const Shapes& shapes, const Bodies& bodies, float dt, std::vector<Pair>& pairs) {
-    for (auto& level : broad.levels) level.clear();
-    broad.unsorted.clear();
-    for (std::uint32_t p = 0; p < shapes.piece_slots.size(); ++p) {
-        if (!shapes.piece_slots.taken(p)) continue;
-        const Piece& piece = shapes.pieces[p];
-        const Body& body = bodies.rows[piece.body];
-        Bounds bounds = swept_bounds(shapes, piece, body, dt);
-        int level = level_of(bounds);
-        bool dynamic = body.kind == BodyKind::dynamic;
-        broad.levels[level].push_back({key_of(cell_of(bounds, level)), bounds, p, piece.body, dynamic});
+void find_pairs(BroadPhase& broad, const Placements& placed, const Bodies& bodies, std::vector<Pair>& pairs,
+                InstructionSet set, Threads& threads) {
+    deal_out(broad, placed);
+    for (std::size_t g = 0; g < broad.used; ++g) {
+        Grid& grid = broad.grids[g];
+        lay_out(grid, placed, broad.members[g]);
+        number_cells(broad, grid, placed, broad.members[g]);
+        sort_items(broad, static_cast<std::uint64_t>(grid.rows) << grid.column_bits);
+        fill(grid, placed, bodies, broad.items);
     }
-    for (auto& level : broad.levels)
-        std::ranges::sort(
-            level, [](const auto& e, const auto& f) { return e.cell != f.cell ? e.cell < f.cell : e.piece < f.piece; });
-    for (int fine = 0; fine < BroadPhase::kLevels; ++fine) {
-        pair_within(broad, broad.levels[fine]);
-        for (int coarse = fine + 1; coarse < BroadPhase::kLevels; ++coarse)
-            if (!broad.levels[coarse].empty()) pair_across(broad, broad.levels[fine], coarse);
-    }
-    sort_pairs(broad, shapes.piece_slots.size(), pairs);
+    std::size_t within = find_within(broad, set, threads), all = find_across(broad, within, set, threads);
+    drop_kept_apart(broad, placed, within, all);
+    sort_pairs(broad, all, placed.octaves.size(), pairs);
 }
 
 } // namespace evil

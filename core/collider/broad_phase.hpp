@@ -1,6 +1,7 @@
 #pragma once
 // Approximate phase (SPEC C2): which pieces' bounds overlap.
 #include "collider/contact.hpp"
+#include "collider/placed.hpp"
 #include <span>
 
 namespace evil {
@@ -17,23 +18,38 @@ inline bool contains(const Bounds& b, Vec2 p) {
 
 Bounds bounds_of(const Shapes& shapes, const Piece& piece, const Pose& pose);
 
-// A grid of levels, made anew each step: on level l cells are 2^l times the smallest, and hold, by their centre, the pieces
-// whose bounds are at most a cell wide. So whatever touches a piece lies in the nine cells round it, on each level.
+// Pieces of about the same size, by the cell that the middle of their bounds lies in. No bounds are wider than a cell, so
+// whatever meets a piece lies in the nine cells round it.
+struct Grid {
+    double origin_x = 0, origin_y = 0, cell = 1; // metres
+    std::int64_t columns = 0, rows = 0;
+    std::uint32_t column_bits = 0;
+    float widest = 0; // side of the bounds in it
+    std::vector<std::uint64_t> cells;
+    std::vector<float> low_x, low_y, high_x, high_y;
+    std::vector<std::uint32_t> pieces, owners;
+};
+
+// Sizes differ, so there are a few grids, each for bounds within a factor of four. Which grids there are changes how long
+// it takes to find the pairs, not which pairs are found.
 struct BroadPhase { // Scratch
-    static constexpr int kLevels = 40;
-    struct Entry {
-        std::uint64_t cell; // row and column, so that sorting goes along rows
-        Bounds bounds;
-        std::uint32_t piece, body;
-        bool dynamic;
+    struct Item {
+        std::uint64_t cell;
+        std::uint32_t piece;
     };
-    std::vector<Entry> levels[kLevels];
-    std::vector<Pair> unsorted;
+    std::vector<Grid> grids;
+    std::size_t used = 0;                            // of them
+    std::vector<std::vector<std::uint32_t>> members; // by grid: its pieces
+    std::vector<Item> items, spare;
+    std::vector<std::uint32_t> counts;
+    std::vector<std::vector<std::uint64_t>> found; // by chunk of work
+    std::vector<std::size_t> found_counts;
     std::vector<std::uint32_t> starts; // by piece: where its pairs go
 };
 
-// All pairs of pieces of different bodies, at least one of them dynamic, whose bounds, grown by the margin and by what
-// each may move within dt, overlap. Sorted.
-void find_pairs(BroadPhase& broad, const Shapes& shapes, const Bodies& bodies, float dt, std::vector<Pair>& pairs);
+// All pairs of pieces of different bodies, at least one of them dynamic, whose bounds overlap. Sorted. Pairs of very
+// different size are tested along the sides of the larger form as well.
+void find_pairs(BroadPhase& broad, const Placements& placed, const Bodies& bodies, std::vector<Pair>& pairs,
+                InstructionSet set, Threads& threads);
 
 } // namespace evil

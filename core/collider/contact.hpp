@@ -1,14 +1,10 @@
 #pragma once
 // Contacts: pairs of convex pieces whose bounds overlap, and the manifold where they touch.
 #include "bodies.hpp"
+#include "collider/placed.hpp"
 #include "shapes/shapes.hpp"
 
 namespace evil {
-
-inline constexpr float kSlop =
-    0.005f; // metres that count as nothing: a gap so small still touches, or contacts flicker
-inline constexpr float kMargin =
-    4 * kSlop; // metres: pairs nearer than this get a manifold before they touch (speculative)
 
 struct ManifoldPoint {
     Vec2 anchor_a, anchor_b;     // from each body's centre of mass, world axes

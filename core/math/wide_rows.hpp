@@ -54,4 +54,30 @@ EVIL_INLINE void store_half_rows(float* table, const std::uint32_t* numbers, con
 #endif
 }
 
+// Lane i of field[0..7] into row i * stride of the table, which is aligned to 32 bytes.
+EVIL_INLINE void store_rows(float* table, std::size_t stride, const Floats field[8]) {
+#if EVIL_WIDTH == 8
+    __m256 t[8], r[8];
+    for (int i = 0; i < 8; i += 2) {
+        t[i] = _mm256_unpacklo_ps(field[i].part[0], field[i + 1].part[0]);
+        t[i + 1] = _mm256_unpackhi_ps(field[i].part[0], field[i + 1].part[0]);
+    }
+    for (int i = 0; i < 8; i += 4) {
+        r[i] = _mm256_shuffle_ps(t[i], t[i + 2], 0x44);
+        r[i + 1] = _mm256_shuffle_ps(t[i], t[i + 2], 0xee);
+        r[i + 2] = _mm256_shuffle_ps(t[i + 1], t[i + 3], 0x44);
+        r[i + 3] = _mm256_shuffle_ps(t[i + 1], t[i + 3], 0xee);
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+        _mm256_store_ps(table + 8 * stride * i, _mm256_permute2f128_ps(r[i], r[i + 4], 0x20));
+        _mm256_store_ps(table + 8 * stride * (i + 4), _mm256_permute2f128_ps(r[i], r[i + 4], 0x31));
+    }
+#else
+    float lanes[8][kLanes];
+    for (int k = 0; k < 8; ++k) store(lanes[k], field[k]);
+    for (std::size_t i = 0; i < kLanes; ++i)
+        for (std::size_t k = 0; k < 8; ++k) table[8 * stride * i + k] = lanes[k][i];
+#endif
+}
+
 } // namespace evil::EVIL_ISA

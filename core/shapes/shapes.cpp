@@ -92,12 +92,17 @@ void bake(Shapes& shapes, std::uint32_t shape, Vec2 scale) {
     const Shape& row = shapes.rows[shape];
     Affine m = definition_to_body(row, scale);
     std::size_t part = 0;
+    shapes.forms.resize(shapes.pieces.size());
+    shapes.form_kinds.resize(shapes.pieces.size());
     for (std::uint32_t p = row.first_piece; p != kNone; p = shapes.pieces[p].next, ++part) {
         Piece& piece = shapes.pieces[p];
         if (row.kind == ShapeKind::circle)
             bake_circle(piece, row, m);
         else
             bake_polygon(shapes, piece, shapes.corners[shape], shapes.parts[shape][part], m);
+        FormOf made = form_of(piece, points_of(shapes, piece), normals_of(shapes, piece));
+        shapes.forms[p] = made.form;
+        shapes.form_kinds[p] = made.kind;
     }
 }
 

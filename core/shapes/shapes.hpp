@@ -2,6 +2,7 @@
 // Shapes on bodies (SPEC C1). A Shape is what a user added; the collider sees its convex pieces.
 #include "math/transform.hpp"
 #include "refs.hpp"
+#include "shapes/form.hpp"
 #include <span>
 
 namespace evil {
@@ -45,6 +46,8 @@ struct Shapes { // State: rows by slot
     std::vector<std::vector<Part>> parts;   // polygon: how it splits
     Slots piece_slots;
     std::vector<Piece> pieces;
+    std::vector<Form> forms; // by piece, baked with it
+    std::vector<FormKind> form_kinds;
     std::vector<Vec2> points, normals; // the pool: ranges of live pieces, and of dead ones until pack()
     std::uint32_t live_points = 0;
     std::uint64_t next_serial = 0;

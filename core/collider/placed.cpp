@@ -1,0 +1,53 @@
+#include "collider/placed.hpp"
+#include "collider/placed_wide.hpp"
+#include <cstddef>
+
+namespace evil {
+namespace {
+
+// The wide kernel reads a body's first 64 bytes as two rows of eight floats.
+static_assert(sizeof(Body) % 32 == 0 && offsetof(Body, kind) == 0 && offsetof(Body, spin) == 4);
+static_assert(offsetof(Body, pose) == 8 && offsetof(Body, centre) == 24 && offsetof(Body, velocity) == 32);
+static_assert(offsetof(Body, local_centre) == 40);
+
+constexpr std::size_t kGrain = 1024; // pieces
+
+void grow(Placements& placed, std::size_t pieces) {
+    std::size_t whole = (pieces + 7) / 8 * 8;
+    placed.bodies.resize(whole);
+    placed.forms.resize(whole);
+    placed.octaves.resize(whole);
+    for (auto* side : {&placed.low_x, &placed.low_y, &placed.high_x, &placed.high_y}) side->resize(whole);
+}
+
+} // namespace
+
+void place_pieces(Placements& placed, const Shapes& shapes, const Bodies& bodies, float dt, InstructionSet set,
+                  Threads& threads) {
+    std::size_t pieces = shapes.forms.size();
+    grow(placed, pieces);
+    if (pieces == 0) return;
+    for (std::uint32_t p = 0; p < pieces; ++p)
+        placed.bodies[p] = shapes.piece_slots.taken(p) ? shapes.pieces[p].body : 0;
+    PlacingRows rows{reinterpret_cast<const float*>(bodies.rows.data()),
+                     sizeof(Body) / 32,
+                     reinterpret_cast<const float*>(shapes.forms.data()),
+                     placed.bodies.data(),
+                     reinterpret_cast<float*>(placed.forms.data()),
+                     placed.low_x.data(),
+                     placed.low_y.data(),
+                     placed.high_x.data(),
+                     placed.high_y.data(),
+                     placed.octaves.data(),
+                     static_cast<std::uint32_t>(pieces),
+                     dt,
+                     kMargin};
+    auto place = EVIL_PICK(set, place_pieces);
+    parallel_for(threads, pieces, kGrain, [&](std::size_t first, std::size_t last) { place(rows, first, last); });
+    std::fill(placed.octaves.begin() + static_cast<std::ptrdiff_t>(pieces), placed.octaves.end(), kNoOctave);
+    if (shapes.piece_slots.count() == pieces) return;
+    for (std::uint32_t p = 0; p < pieces; ++p)
+        if (!shapes.piece_slots.taken(p)) placed.octaves[p] = kNoOctave;
+}
+
+} // namespace evil
