@@ -1,10 +1,13 @@
 #pragma once
 // Writing and reading State field by field, in one visit function for both directions.
+#include "hash.hpp"
 #include "math/transform.hpp"
+#include <array>
 #include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <span>
 #include <string>
@@ -15,79 +18,172 @@ namespace evil {
 static_assert(std::endian::native == std::endian::little,
               "snapshots are little-endian; swap bytes in Writer and Reader");
 
+template <class T, class... Any>
+concept OneOf = (std::same_as<T, Any> || ...);
+
+// Rows of floats without gaps: their bytes are the bytes of their floats.
+template <class T>
+concept FloatRow = OneOf<T, Vec2, Rot, Pose, Affine>;
+
+// What is written as its bytes.
+template <class T>
+concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T> || FloatRow<T>;
+
+// Writes into a window of memory; where that ends, `make_room` moves on to the next.
 class Writer {
 public:
     static constexpr bool reading = false;
-    std::vector<std::uint8_t> bytes;
 
-    template <class T>
-        requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-    void value(const T& v) {
-        const auto* raw = reinterpret_cast<const std::uint8_t*>(&v);
-        bytes.insert(bytes.end(), raw, raw + sizeof(T));
+    template <Plain... T> void values(const T&... v) {
+        constexpr std::size_t size = (sizeof(T) + ...);
+        if (static_cast<std::size_t>(end_ - at_) < size) make_room(size);
+        std::uint8_t* at = at_;
+        ((std::memcpy(at, &v, sizeof(T)), at += sizeof(T)), ...);
+        at_ = at;
     }
+    template <Plain T> void value(const T& v) { values(v); }
     std::size_t count(std::size_t n) {
         value(static_cast<std::uint64_t>(n));
         return n;
     }
+
+protected:
+    Writer() = default;
+    ~Writer() = default;
+    virtual void make_room(std::size_t size) = 0; // at least `size` bytes from at_ to end_
+    std::uint8_t *at_ = nullptr, *end_ = nullptr;
+};
+
+// Nowhere: only how much it would be.
+class Measure {
+public:
+    static constexpr bool reading = false;
+    template <Plain... T> void values(const T&...) { size_ += (sizeof(T) + ...); }
+    template <Plain T> void value(const T&) { size_ += sizeof(T); }
+    std::size_t count(std::size_t n) {
+        size_ += sizeof(std::uint64_t);
+        return n;
+    }
+    std::size_t size() const { return size_; }
+
+private:
+    std::size_t size_ = 0;
+};
+
+// Into bytes of its own.
+class BytesWriter final : public Writer {
+public:
+    std::vector<std::uint8_t> take() {
+        bytes_.resize(written());
+        at_ = end_ = nullptr;
+        return std::move(bytes_);
+    }
+
+private:
+    std::size_t written() const { return bytes_.size() - static_cast<std::size_t>(end_ - at_); }
+    void make_room(std::size_t size) override {
+        std::size_t before = written();
+        bytes_.resize(2 * before + size + 256);
+        at_ = bytes_.data() + before;
+        end_ = bytes_.data() + bytes_.size();
+    }
+    std::vector<std::uint8_t> bytes_;
+};
+
+// Into memory that is there, of just the right size.
+class SpanWriter final : public Writer {
+public:
+    explicit SpanWriter(std::span<std::uint8_t> out) {
+        at_ = out.data();
+        end_ = at_ + out.size();
+    }
+    bool full() const { return at_ == end_; }
+
+private:
+    void make_room(std::size_t) override { std::abort(); } // whoever measured the space has erred
+};
+
+// Nowhere: only their hash and their number are kept.
+class HashWriter final : public Writer {
+public:
+    HashWriter() { rewind(0); }
+    HashWriter(const HashWriter&) = delete;
+    HashWriter& operator=(const HashWriter&) = delete;
+    std::uint64_t size() const { return hash_.size() + used(); }
+    std::uint64_t sum() {
+        hash_.add({window_, used()});
+        rewind(0);
+        return hash_.sum();
+    }
+
+private:
+    std::size_t used() const { return static_cast<std::size_t>(at_ - window_); }
+    void rewind(std::size_t kept) { at_ = window_ + kept, end_ = window_ + sizeof window_; }
+    void make_room(std::size_t) override {
+        std::size_t whole = used() / Hash::kStripe * Hash::kStripe, rest = used() - whole;
+        hash_.add({window_, whole});
+        std::memmove(window_, window_ + whole, rest);
+        rewind(rest);
+    }
+    Hash hash_;
+    std::uint8_t window_[16384];
 };
 
 class Reader {
 public:
     static constexpr bool reading = true;
-    explicit Reader(std::span<const std::uint8_t> bytes) : rest_(bytes) {}
-    bool ok = true; // false once anything was missing or out of range; what is read then is zero
+    explicit Reader(std::span<const std::uint8_t> bytes) : at_(bytes.data()), end_(bytes.data() + bytes.size()) {}
+    bool ok = true; // false once anything was missing or out of range; nothing that was read counts then
 
-    template <class T>
-        requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-    void value(T& v) {
-        v = T{};
-        if (rest_.size() < sizeof(T)) {
+    template <Plain... T> void values(T&... v) {
+        constexpr std::size_t size = (sizeof(T) + ...);
+        if (static_cast<std::size_t>(end_ - at_) < size) {
             ok = false;
+            ((v = T{}), ...);
             return;
         }
-        if constexpr (std::same_as<T, bool>) {
-            ok = ok && rest_[0] <= 1;
-            v = rest_[0] == 1;
-        } else {
-            std::memcpy(&v, rest_.data(), sizeof(T));
-        }
-        rest_ = rest_.subspan(sizeof(T));
-        if constexpr (std::floating_point<T>) {
-            if (!std::isfinite(v)) ok = false, v = T{};
-        }
+        (read(v), ...);
     }
-    // A count of things of at least one byte each: more than the bytes that are left is a lie.
-    std::size_t count(std::size_t = 0) {
+    template <Plain T> void value(T& v) { values(v); }
+    // A count of things of at least `least` bytes each: more than the bytes that are left can hold is a lie.
+    std::size_t count(std::size_t = 0, std::size_t least = 1) {
         std::uint64_t n = 0;
         value(n);
-        if (n > rest_.size()) ok = false, n = 0;
+        if (n > static_cast<std::size_t>(end_ - at_) / least) ok = false, n = 0;
         return static_cast<std::size_t>(n);
     }
-    bool at_end() const { return rest_.empty(); }
+    bool at_end() const { return at_ == end_; }
 
 private:
-    std::span<const std::uint8_t> rest_;
+    template <class T> void read(T& v) {
+        if constexpr (std::same_as<T, bool>) {
+            ok &= *at_ <= 1;
+            v = *at_ == 1;
+        } else {
+            std::memcpy(&v, at_, sizeof(T));
+        }
+        if constexpr (std::floating_point<T>) ok &= std::isfinite(v);
+        if constexpr (FloatRow<T>) {
+            for (float f : std::bit_cast<std::array<float, sizeof(T) / sizeof(float)>>(v)) ok &= std::isfinite(f);
+        }
+        at_ += sizeof(T);
+    }
+    const std::uint8_t *at_, *end_;
 };
 
-template <class A, class T>
-    requires std::is_arithmetic_v<std::remove_const_t<T>> || std::is_enum_v<std::remove_const_t<T>>
-void visit(A& archive, T& v) {
-    archive.value(v);
+// Fields that are all plain go in one piece; else one after the other.
+template <class A, class... T>
+    requires(Plain<std::remove_const_t<T>> && ...)
+void visit(A& archive, T&... v) {
+    archive.values(v...);
 }
-template <class A>
-void visit(A& archive, auto& v, auto&... more)
-    requires(sizeof...(more) > 0)
-{
-    visit(archive, v);
-    visit(archive, more...);
+template <class A, class... T>
+    requires(sizeof...(T) > 1 && !(Plain<std::remove_const_t<T>> && ...))
+void visit(A& archive, T&... v) {
+    (visit(archive, v), ...);
 }
+
 template <class V, class T>
 concept Like = std::same_as<std::remove_const_t<V>, T>;
-
-template <class A, Like<Vec2> V> void visit(A& archive, V& v) { visit(archive, v.x, v.y); }
-template <class A, Like<Rot> V> void visit(A& archive, V& v) { visit(archive, v.c, v.s); }
-template <class A, Like<Pose> V> void visit(A& archive, V& v) { visit(archive, v.p, v.q); }
-template <class A, Like<Affine> V> void visit(A& archive, V& v) { visit(archive, v.a, v.b, v.c, v.d, v.tx, v.ty); }
 
 } // namespace evil

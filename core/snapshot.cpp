@@ -1,5 +1,4 @@
 #include "snapshot.hpp"
-#include "hash.hpp"
 #include "state_fields.hpp"
 #include <memory>
 
@@ -7,6 +6,7 @@ namespace evil {
 namespace {
 
 constexpr char kMagic[8] = {'E', 'V', 'I', 'L', 'W', 'R', 'L', 'D'};
+constexpr std::size_t kHead = sizeof(kMagic) + 4 + 8, kTail = 8; // bytes round the payload
 
 } // namespace
 
@@ -27,9 +27,12 @@ namespace {
 
 // ---- tables ------------------------------------------------------------------------------------------------------
 
+constexpr std::size_t kLeastRow = 12; // bytes of the smallest row in any table, a piece's, with its number
+
 // Rising slot numbers, none so high that the table would be mostly air: a forged file may not ask for all memory.
 void read_table(Reader& ar, std::vector<bool>& taken, auto&& grow, auto&& read_row) {
-    std::size_t n = ar.count();
+    std::size_t n = ar.count(0, kLeastRow);
+    grow(n); // as a rule there are no gaps
     for (std::size_t i = 0; i < n && ar.ok; ++i) {
         std::uint32_t slot = 0;
         ar.value(slot);
@@ -37,12 +40,12 @@ void read_table(Reader& ar, std::vector<bool>& taken, auto&& grow, auto&& read_r
         if (!ar.ok) return;
         taken.resize(slot + 1, false);
         taken[slot] = true;
-        grow(slot + 1);
+        if (slot >= n) grow(slot + 1);
         read_row(slot);
     }
 }
 
-void write_payload(Writer& ar, const World& w) {
+void write_payload(auto& ar, const World& w) {
     visit(ar, w.gravity, w.sleep_allowed, w.steps, w.time);
     visit(ar, w.bodies.next_serial, w.shapes.next_serial, w.forces.next_serial);
     write_bodies(ar, w);
@@ -56,7 +59,7 @@ void visit_made(auto& ar, auto& table, auto&& taken) {
         if (taken(slot)) ar.value(table.rows[slot].made);
 }
 
-void write_made(Writer& ar, const World& w) {
+void write_made(auto& ar, const World& w) {
     auto live = [](const Slots& slots) { return [&](std::uint32_t slot) { return slots.taken(slot); }; };
     visit_made(ar, w.bodies, live(w.bodies.slots));
     visit_made(ar, w.shapes, live(w.shapes.slots));
@@ -264,26 +267,31 @@ void restore(World& w, SavedState& s) {
 }
 
 std::uint64_t checksum(const World& world) {
-    Writer ar;
+    HashWriter ar;
     write_payload(ar, world);
-    return hash(ar.bytes);
+    return ar.sum();
 }
 
-std::vector<std::uint8_t> snapshot(const World& world) {
-    Writer payload;
+std::size_t snapshot_size(const World& world) {
+    Measure payload;
     write_payload(payload, world);
     write_made(payload, world);
-    Writer out;
-    for (char c : kMagic) out.value(c);
-    out.value(kSnapshotVersion);
-    out.count(payload.bytes.size());
-    out.bytes.insert(out.bytes.end(), payload.bytes.begin(), payload.bytes.end());
-    out.value(hash(payload.bytes));
-    return std::move(out.bytes);
+    return kHead + payload.size() + kTail;
+}
+
+void write_snapshot(const World& world, std::span<std::uint8_t> out) {
+    std::span<std::uint8_t> payload = out.subspan(kHead, out.size() - kHead - kTail);
+    SpanWriter head(out.first(kHead)), body(payload), tail(out.last(kTail));
+    for (char c : kMagic) head.value(c);
+    head.value(kSnapshotVersion);
+    head.count(payload.size());
+    write_payload(body, world);
+    write_made(body, world);
+    assert(body.full());
+    tail.value(hash(payload));
 }
 
 ReadSnapshot read_snapshot(std::span<const std::uint8_t> bytes) {
-    constexpr std::size_t kHead = sizeof(kMagic) + 4 + 8, kTail = 8;
     std::size_t known = std::min(bytes.size(), sizeof(kMagic));
     if (known == 0 || std::memcmp(bytes.data(), kMagic, known) != 0) return {nullptr, SnapshotProblem::not_a_snapshot};
     if (bytes.size() < kHead + kTail) return {nullptr, SnapshotProblem::cut_short};

@@ -10,7 +10,8 @@ namespace evil {
 
 inline constexpr std::uint32_t kSnapshotVersion = 1;
 
-std::vector<std::uint8_t> snapshot(const World& world);
+std::size_t snapshot_size(const World& world);                        // bytes
+void write_snapshot(const World& world, std::span<std::uint8_t> out); // `out` of just that size
 std::uint64_t checksum(const World& world);
 
 // The same State in parts, so that two runs that part ways can be told where: 64 bits each, cheap enough for every step.

@@ -135,7 +135,7 @@ def includes(file: Path) -> set[str]:
     return set(re.findall(r'^\s*#\s*include\s+[<"]([^>"]+)[>"]', file.read_text(), re.MULTILINE))
 
 
-# A kernel has no clock, no files, no threads but the World's own and no screen to print on; nor does it know who called.
+# A kernel has no clock, no files, no threads but the World's own, no screen to print on; nor does it know who called.
 CLOCKS, FILES, THREADS = {"chrono", "ctime", "time.h"}, {"fstream", "filesystem"}, {"thread", "mutex", "future"}
 PRINTING, CHANCE = {"iostream", "cstdio", "stdio.h"}, {"random"}
 KEPT_OUT_OF_THE_CORE = CLOCKS | FILES | THREADS | PRINTING | CHANCE

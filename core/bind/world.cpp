@@ -1,6 +1,7 @@
 #include "bind/handle.hpp"
 #include "bind/views.hpp"
 #include "snapshot.hpp"
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/tuple.h>
 
 namespace evil::bind {
@@ -121,6 +122,14 @@ std::shared_ptr<SavedState> read_bytes(nb::bytes data) {
 struct Saved {
     std::shared_ptr<SavedState> state;
 };
+
+// Slots whose object is another than it was, or gone.
+std::vector<std::uint32_t> changed(const std::vector<std::uint32_t>& before, const Slots& now) {
+    std::vector<std::uint32_t> slots;
+    for (std::uint32_t slot = 0; slot < before.size(); ++slot)
+        if (before[slot] != now.generation(slot)) slots.push_back(slot);
+    return slots;
+}
 
 void set_area(Area& area, const NewShape& spec, nb::handle at, double angle) {
     Affine m = used(spec, at, angle, 1.0f, 0.0f, 0.0f).shape.local;
@@ -259,8 +268,11 @@ void register_world(nb::module_& module) {
     c.def_prop_ro("matrices", [](const World& w) { return view_of(w, &Arrays::matrices, 16); });
     bind_queries(module, c);
     c.def("snapshot", [](const World& w) {
-        std::vector<std::uint8_t> bytes = snapshot(w);
-        return nb::bytes(bytes.data(), bytes.size());
+        const std::size_t size = snapshot_size(w);
+        nb::bytes bytes = nb::steal<nb::bytes>(PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(size)));
+        if (!bytes.is_valid()) throw std::bad_alloc();
+        write_snapshot(w, {reinterpret_cast<std::uint8_t*>(PyBytes_AsString(bytes.ptr())), size});
+        return bytes;
     });
     nb::class_<Saved> saved(module, "Saved", "A snapshot that was read and found whole.");
     saved.def("__init__", [](Saved* self, nb::bytes data) { new (self) Saved{read_bytes(data)}; });
@@ -272,8 +284,10 @@ void register_world(nb::module_& module) {
     });
     c.def("restore", [](World& w, Saved& s) {
         if (!s.state) raise(ErrorKind::snapshot, "World.restore: this snapshot was used up; read it again");
+        const std::vector<std::uint32_t> bodies = w.bodies.slots.generations(), shapes = w.shapes.slots.generations();
         restore(w, *s.state);
         s.state.reset();
+        return std::pair(changed(bodies, w.bodies.slots), changed(shapes, w.shapes.slots));
     });
     c.def("checksum", [](const World& w) { return checksum(w); });
     c.def("sums", [](const World& w) {

@@ -62,7 +62,7 @@ SceneBytes snapshot(const Scene& scene, const World& world) {
     for (std::uint32_t slot = 0; slot < scene.drawings.size(); ++slot)
         if (scene.slots.taken(slot) && is_there(scene.drawings[slot], world)) slots.push_back(slot);
 
-    Writer ar;
+    BytesWriter ar;
     ar.value(scene.next_serial);
     ar.count(slots.size());
     for (const std::uint32_t slot : slots) {
@@ -82,7 +82,7 @@ SceneBytes snapshot(const Scene& scene, const World& world) {
             fields(ar, scene.meshes.vertices()[mesh.first_vertex + i]);
     }
     ar.value(static_cast<std::uint32_t>(result.textures.size()));
-    result.bytes = std::move(ar.bytes);
+    result.bytes = ar.take();
     return result;
 }
 

@@ -30,13 +30,13 @@ def note_python_forces(world: World) -> None:
 
 def become(world: World, saved: _core.Saved) -> None:
     """Become what was read, whose notes were checked."""
-    world._core.restore(saved)
+    bodies, shapes = world._core.restore(saved)
     world._forces = forces_now(world)
-    world._handles = {slot: body for slot, body in world._handles.items() if body.alive}
-    world._shape_handles = {slot: shape for slot, shape in world._shape_handles.items() if shape.alive}
+    for slot in bodies:
+        world._handles.pop(slot, None)
+    for slot in shapes:
+        world._shape_handles.pop(slot, None)
     world._motions = {slot: pair for slot, pair in world._motions.items() if pair[0].alive}
-    for body in world._handles.values():
-        body._tag = body._tag  # the handle's own copy, for its epitaph
 
 
 def forces_now(world: World) -> dict[int, Force]:
