@@ -117,7 +117,7 @@ def test_what_is_recorded_while_a_recording_is_played_is_the_same(rich, tmp_path
     game.step(100)
     game.close()
     again = Replay.read(tmp_path / "again.evr")
-    assert [replace(step, resumed=()) for step in again.steps] == list(replay.steps)
+    assert [replace(step, between=()) for step in again.steps] == list(replay.steps)
 
 
 # Games in Python ------------------------------------------------------------------------------------------------------
@@ -224,7 +224,7 @@ def rewritten(replay, target, steps):
         recorder.begin_step(step.inputs, step.size)
         if step.sums is not None:
             recorder.end_step(step.sums)
-        for resumed in step.resumed:
+        for resumed in step.between:
             recorder.resumed(resumed)
     recorder.close()
 

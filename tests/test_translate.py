@@ -100,6 +100,37 @@ def test_a_level_with_everything_in_it_and_its_python_are_the_same() -> None:
     assert same(BUSY)
 
 
+MOVING_ON = """
+seed 4; new walls 15 8; new circle ball 0.5 at 0 3 physicsOn tag "ball"; new rectangle floor 9 1 at 0 -3;
+every 0.3 { new circle 0.2 at random(-3, 3) 2 physicsOn; }
+on collide floor "ball" { pace (0.5 / 2); after 0.4 { restart; } }
+on key "space" { go "07_forces.evil"; }
+"""
+
+
+def test_a_level_that_starts_again_and_goes_on_is_the_same_in_python() -> None:
+    names: dict[str, Any] = {"__name__": "translated"}
+    program = translate(script.read(MOVING_ON, "round.evil"))
+    assert 'game.scenes("round")(lambda: build(game))' in program
+    exec(compile(program, "translated.py", "exec"), names)
+    sums = []
+    for begin in (lambda game: level.build(script.read(MOVING_ON, "round.evil"), game), names["build"]):
+        game = Game("level", headless=True, folder=EXAMPLES[0].parent)
+        game.scenes("round")(lambda begin=begin, game=game: begin(game))
+        game.go("round")
+        seen = []
+        for step in range(300):
+            if step == 250:
+                game.device.tap("space")
+            game.step()
+            seen.append((game.world.checksum(), game.speed, game.world.steps))
+        assert {speed for _, speed, _ in seen} == {1.0, 0.25}
+        assert max(steps for _, _, steps in seen) < 200, "it began again"
+        assert game.scenes.present == "07_forces.evil"
+        sums.append(seen)
+    assert sums[0] == sums[1]
+
+
 def test_the_test_can_tell_levels_apart() -> None:
     one = checksums(lambda game: level.build(script.read(BUSY), game), 100)
     other = checksums(lambda game: level.build(script.read(BUSY.replace("seed 3", "seed 4")), game), 100)

@@ -43,6 +43,7 @@ class Audio:
         self._clock = clock
         self._last_step = self._offset = 0
         self._paused = False
+        self._tempo = 1.0
         self._playing: list[Sound] = []
         self._streams: dict[Sound, Music] = {}
         self._music: Sound | None = None
@@ -171,9 +172,16 @@ class Audio:
 
     # What the game does -----------------------------------------------------------------------------------------------
 
-    def update(self, listener: Listener, *, paused: bool = False) -> None:
-        """After each step and frame: hear from where the camera is, follow bodies, decode ahead."""
+    def update(self, listener: Listener, *, paused: bool = False, tempo: float = 1.0) -> None:
+        """After each step and frame: hear from where the camera is, follow bodies, decode ahead.
+
+        `tempo` is how fast the game's time goes; what pauses with the game follows it, where it is heard as it goes.
+        """
         self.listener = listener
+        if tempo != self._tempo and self.output.live:
+            self._tempo = tempo
+            for sound in self.sounds:
+                sound._send_speed()
         if paused != self._paused:
             self._paused = paused
             for group in self.groups.values():

@@ -34,6 +34,8 @@ class Output:
     """Nowhere: every sound plays, nobody hears it, nothing is computed. The other outputs derive from it."""
 
     name = "none"
+    live = False
+    """Is it heard while the game goes, at the pace of the clock on the wall?"""
 
     def __init__(self, reason: str = "") -> None:
         self.mixer: _core.Mixer | None = None
@@ -59,6 +61,7 @@ class Card(Output):
     """A sound card."""
 
     name = "card"
+    live = True
 
     def __init__(self, open_card: OpenCard) -> None:
         super().__init__()

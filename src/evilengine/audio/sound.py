@@ -135,9 +135,7 @@ class Sound:
         pitch = number(value, "Sound", "pitch", least=LOWEST_PITCH, most=self._highest_pitch())
         self._start, self._began = self._now(), self._group._seconds(self._audio._step())
         self._pitch = pitch
-        mixer = self._audio._mixer
-        if mixer is not None and self._voice:
-            mixer.speed(self._voice, self._speed(), RAMP, self._audio._when())
+        self._send_speed()
 
     @property
     def at(self) -> Vec2 | None:
@@ -185,7 +183,13 @@ class Sound:
 
     def _speed(self) -> float:
         """Source frames a frame of the mix."""
-        return min(self._rate * self._pitch / RATE, 8.0)
+        tempo = self._audio._tempo if self._group.pauses else 1.0
+        return min(self._rate * self._pitch * tempo / RATE, 8.0)
+
+    def _send_speed(self) -> None:
+        mixer = self._audio._mixer
+        if mixer is not None and self._voice:
+            mixer.speed(self._voice, self._speed(), RAMP, self._audio._when())
 
     def _highest_pitch(self) -> float:
         return min(HIGHEST_PITCH, 8.0 * RATE / self._rate)

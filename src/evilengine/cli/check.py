@@ -11,8 +11,8 @@ import json
 import sys
 
 from evilengine import script
+from evilengine.values.diagnostics import Diagnostic
 from evilengine.values.errors import AssetError
-from evilengine.values.level import Diagnostic
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

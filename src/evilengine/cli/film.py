@@ -85,6 +85,7 @@ class Screen(HeadlessDevice):
     def __init__(self, title: str, size: tuple[int, int], picture: tuple[int, int]) -> None:
         self._pixels_a_point = max(min(picture[0] / size[0], picture[1] / size[1]), max(picture) / MOST_POINTS)
         self._picture = picture
+        self._full = False
         width, height = (round(side / self._pixels_a_point) for side in picture)
         super().__init__((width, height), title=title)
 
@@ -95,6 +96,15 @@ class Screen(HeadlessDevice):
     @property
     def scale(self) -> float:
         return self._pixels_a_point
+
+    @property
+    def fullscreen(self) -> bool:
+        """A film is as large as was asked for, whatever the game wants."""
+        return self._full
+
+    @fullscreen.setter
+    def fullscreen(self, full: bool) -> None:
+        self._full = bool(full)
 
 
 class _Camera:
@@ -164,7 +174,7 @@ class Reel:
 
     def _frames(self, game: Game, playback: Playback) -> Iterator[Image]:
         count = 0
-        while game.running and not playback.over:
+        while game.running and not playback.over and count < MOST_FRAMES:
             game.frame(count / self.fps)
             yield cast(HeadlessDevice, game.device).shown or game.capture()
             count += 1
@@ -211,6 +221,7 @@ class Bar:
 
     def __call__(self, part: float) -> None:
         """`part` of it, 0..1, is done."""
+        part = min(part, 1.0)  # in slow motion there are more pictures than anybody counted
         percent = int(100 * part)
         if self._quiet or percent == self._shown:
             return

@@ -4,7 +4,10 @@ While it plays:
   F1                 debug view: outlines, contact normals, gravity
   F2, P              pause, and go on
   F3, .              one step, while paused
-  F5, R              start again
+  F4                 what each frame costs, as a graph
+  F5                 start again; R begins the level that plays anew
+  F11                fill the screen, and back
+  F12                save a picture; the terminal says where
   Escape             quit
 P, . and R are for levels; a game in Python may use letters itself.
 A level that changes on disk is loaded again; one with errors is shown with them, and the old one plays on.

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from evilengine.platform import Device
     from evilengine.scene import Text
 
-KEYS = {"f1": "debug", "f2": "pause", "f3": "step", "f5": "again", "escape": "quit"}
-LEVEL_KEYS = {"p": "pause", "period": "step", "r": "again"}
+KEYS = {"f1": "debug", "f2": "pause", "f3": "step", "f4": "graph", "f5": "again", "escape": "quit"}
+LEVEL_KEYS = {"p": "pause", "period": "step", "r": "restart"}
 """Letters are free for games written in Python; in a level nobody else uses them."""
 
 HINT = "F1 debug view     F2 pause     F3 one step     F5 start again     Esc quit"
@@ -62,6 +62,7 @@ class Player:
         self.size = size
         self.renderer = renderer
         self.debug_view = debug_view
+        self.frame_graph = False
         self.seconds = seconds
         self.resume = resume
         self.record = record
@@ -177,7 +178,8 @@ class Player:
 
             game._recorder = replaying.record(game, self._next_recording(self.record), level=self.is_level)
         game.debug = game.debug or self.debug_view
-        game.on_event(self._key)
+        game.frame_graph = game.frame_graph or self.frame_graph
+        game._watchers.append(self._key)
         words = (TILT_HINT if game.tilt else "") + (LEVEL_HINT if self.is_level else HINT)
         self._hint = game.scene.overlay(words, at=(0, 26), anchor="top", size=15, colour="#ffffffc0")
         self._hint_until = game.world.time + HINT_SECONDS
@@ -203,7 +205,11 @@ class Player:
                 self.game.paused = not self.game.paused
             case "step":
                 self._wants_step = self.game.paused
-            case "again":
+            case "graph":
+                self.frame_graph = self.game.frame_graph = not self.game.frame_graph
+            case "restart" if self.game.scenes.present not in (None, self.path.name):
+                self.game.restart()  # a level that the first one went to
+            case "again" | "restart":
                 self._wants_again = True
 
     # Starting again

@@ -137,7 +137,7 @@ def _watch(game: Game, playback: Playback) -> None:
         if isinstance(event, CloseEvent) or (isinstance(event, KeyEvent) and event.down and event.key in QUIT_KEYS):
             game.quit()
 
-    game.on_event(quit_on_request)
+    game._watchers.append(quit_on_request)
     line = game.scene.overlay("", at=(0, 26), anchor="top", size=15, colour="#ffffffc0")
     while game.running and not playback.over:
         now = time.perf_counter()

@@ -33,7 +33,7 @@ def level_game(path: Path, *, renderer: str = "auto") -> Game:
     from evilengine.game import Game
 
     game = Game(path.stem, renderer=renderer, folder=path.parent)
-    game.load(path)
+    game.go(path.name)
     return game
 
 

@@ -15,6 +15,7 @@ class Controls:
     """The part of a game that its player holds."""
 
     def __init__(self) -> None:
+        super().__init__()
         self._interaction = Interaction()
         self._grabs = Grabs()
         self._inputs = Inputs()

@@ -14,7 +14,9 @@ from evilengine.assets import Images, Pictures
 from evilengine.audio import Audio, Listener
 from evilengine.game import replaying, saving
 from evilengine.game.controls import Controls
+from evilengine.game.life import Life, Made
 from evilengine.game.output import SHIPPED, for_device, open_output
+from evilengine.game.screen import GameScreen
 from evilengine.game.stage import STAGE, keep_pace, open_device, script_folder, to_path
 from evilengine.game.things import Things
 from evilengine.platform import Device, HeadlessDevice
@@ -24,6 +26,7 @@ from evilengine.scene import Camera, DrawnBody, Scene
 from evilengine.timer import Clock, Schedule
 from evilengine.values.callbacks import Callbacks
 from evilengine.values.checks import known_keywords, number
+from evilengine.values.drawlist import DrawList
 from evilengine.values.errors import ArgumentTypeError, Error
 from evilengine.values.events import CloseEvent, Event, ResizeEvent
 from evilengine.values.image import Image
@@ -41,7 +44,7 @@ HEADLESS_SECONDS = 10.0
 """How long `run()` plays where nobody can close a window, unless it is told."""
 
 
-class Game(Controls, Things):
+class Game(Life, GameScreen, Controls, Things):
     """A world, its looks, its player and its time.
 
     `size` is in logical points; 50 of them show a metre unless `view_height` says how many metres the screen is high.
@@ -82,6 +85,7 @@ class Game(Controls, Things):
         seed: int = 0,
         threads: int = 1,
         sleep: bool = True,
+        fullscreen: bool = False,
         folder: str | Path | None = None,
         device: Device | None = None,
     ) -> None:
@@ -108,8 +112,8 @@ class Game(Controls, Things):
         self.audio = Audio(self.folder, Path.cwd(), SHIPPED, output=output, clock=lambda: self.world.steps)
         self.random = random.Random(seed)
         self.tilt = tilt
-        self.paused = False
-        self.running = True
+        if fullscreen:
+            self.fullscreen = fullscreen
 
         self.levels: list[Level] = []
         """The levels at play, in the order in which they were loaded."""
@@ -118,6 +122,10 @@ class Game(Controls, Things):
         self._playback: replaying.Playback | None = None
         self._clock = Clock()
         self._alpha = 1.0
+        self._steps_made = 0  # in all scenes
+        self._blank = self.world.snapshot()
+        self._made = Made(tilt, self.camera._fit)
+        self._watchers: list[Callable[[Event], object]] = []  # who look on, such as the keys of `evil play`
         self._busy = ""  # inside which part of a frame a callback runs
         self._when_over: list[Callable[[], object]] = []  # what is put off until that part is over
         self._tilted: tuple[Vec2, Vec2] | None = None  # the direction last set, and the gravity it gave
@@ -133,8 +141,9 @@ class Game(Controls, Things):
     def frame(self, now: float) -> None:
         """One frame at wall time `now`, in seconds: the steps that are due, then the picture. `run` calls it."""
         self._refuse_in_a_callback("Game.frame")
-        tick = self._clock.hold(now) if self.paused else self._clock.advance(now)
-        self._listen()
+        self.timings.begin()
+        tick = self._clock.hold(now) if self.paused else self._clock.advance(now, self.speed)
+        asked = self._press_window_keys(self._listen())
         if self.paused:
             self._inputs = self._interaction.snapshot(self.camera.to_world, 0.0)  # nothing waits for the pause to end
         for _ in range(tick.steps):
@@ -142,9 +151,14 @@ class Game(Controls, Things):
                 break
             self._step()
         self._alpha = tick.alpha
+        self.timings.steps()
         self._draw()
         self.renderer.show(self.device)
         self._hear(paused=self.paused)
+        self.timings.shown()
+        self._tidy_notice(now)
+        for each in asked:
+            each()
 
     @known_keywords
     def step(self, n: int = 1) -> None:
@@ -158,7 +172,7 @@ class Game(Controls, Things):
             self._step()
         self._alpha = 1.0
 
-    def _listen(self) -> None:
+    def _listen(self) -> tuple[Event, ...]:
         events = self.device.poll()
         self._interaction.collect(events)
         for event in events:
@@ -169,8 +183,14 @@ class Game(Controls, Things):
                     self.camera.size = event.size
                 self._pictures.scale = self.device.scale
             self.on_event.run(event)
+            for watch in tuple(self._watchers):
+                watch(event)
+        return events
 
     def _step(self) -> None:
+        if self._playback is not None and not self._playback.over:
+            self._playback.catch_up()
+        self._steps_made += 1
         self._busy = "a step"
         try:
             self._inputs = self._inputs_of_step()
@@ -206,13 +226,20 @@ class Game(Controls, Things):
         self._busy = "drawing"
         try:
             self.on_draw.run()
-            self.renderer.draw(self.scene.collect(self.camera, self._alpha, self.device.pixel_size, self.device.scale))
+            frame = self._collect()
+            self.timings.collected()
+            self.renderer.draw(frame)
+            self.timings.drawn()
         finally:
             self._busy = ""
         self._do_what_waited()
 
+    def _collect(self, *, overlay: bool = True) -> DrawList:
+        device = self.device
+        return self.scene.collect(self.camera, self._alpha, device.pixel_size, device.scale, overlay=overlay)
+
     def _hear(self, *, paused: bool = False) -> None:
-        self.audio.update(Listener(self.camera.position, self.camera.angle), paused=paused)
+        self.audio.update(Listener(self.camera.position, self.camera.angle), paused=paused, tempo=self.speed)
 
     def _turn_gravity(self, direction: Vec2) -> None:
         """Turn gravity and keep its strength (SPEC I4), which is that of the gravity that anybody else set last."""
@@ -319,18 +346,6 @@ class Game(Controls, Things):
             self._recorder.close()
             self._recorder = None
 
-    def _when_free(self, do: Callable[[], object]) -> None:
-        """Do it now or, inside a callback, when the part of the frame that called it is over."""
-        if self._busy:
-            self._when_over.append(do)
-        else:
-            do()
-
-    def _do_what_waited(self) -> None:
-        waiting, self._when_over = self._when_over, []
-        for do in waiting:
-            do()
-
     # Running ----------------------------------------------------------------------------------------------------------
 
     @known_keywords
@@ -364,10 +379,6 @@ class Game(Controls, Things):
         for count in range(round(seconds / STEP) + 1):
             if self.running:
                 self.frame(count * STEP)
-
-    def quit(self) -> None:
-        """Stop `run` after this frame."""
-        self.running = False
 
     def close(self) -> None:
         """Close the window. A game that has ended can still be asked, not shown."""

@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from evilengine.game import saving
-from evilengine.save.replay import MODULES, Recorder, Replay, Step, Sums
+from evilengine.game import saving, scenes
+from evilengine.save.replay import MODULES, Recorder, Replay, Step, Sums, Visited
 from evilengine.values.errors import Error, SaveError
 from evilengine.values.inputs import Inputs
 from evilengine.values.tick import STEP
@@ -80,7 +80,7 @@ def record(game: Game, path: Path, *, level: bool = False) -> Recorder:
         header["hash"] = hash_of(source.text.encode("utf-8", "surrogatepass"))
     elif program is not None and Path(program).is_file():
         header |= {"file": str(Path(program).resolve()), "hash": hash_of(Path(program).read_bytes())}
-    return Recorder(path, header, saving.to_bytes(game) if game.world.steps else None)
+    return Recorder(path, header, saving.to_bytes(game) if game._steps_made or game.world.steps else None)
 
 
 def hash_of(source: bytes) -> str:
@@ -100,7 +100,7 @@ class Playback:
         self._game = game
         self._step: Step | None = None
         self._made = 0
-        self._resumed = list(replay.resumed)
+        self._between = list(replay.between)
 
     @property
     def over(self) -> bool:
@@ -115,13 +115,13 @@ class Playback:
     @property
     def resumes(self) -> bool:
         """Does a saved game come from here rather than from the disk?"""
-        return not self.over or bool(self._resumed)
+        return not self.over or bool(self._between)
 
     def begin_step(self) -> Inputs:
         """The inputs of the step that begins now; there must be one."""
         self._step = step = self.replay.steps[self._made]
         self._made += 1
-        self._resumed = list(step.resumed)
+        self._between = list(step.between)
         if step.size != self._game.camera.size:
             self._game.camera.size = step.size
         return step.inputs
@@ -140,9 +140,37 @@ class Playback:
 
     def resumed(self) -> bytes:
         """The saved game that was resumed here when this was recorded."""
-        if not self._resumed:
+        if not self._between or not isinstance(self._between[0], bytes):
             raise SaveError(f"{self.replay.name} has no saved game that was resumed in step {self._made}")
-        return self._resumed.pop(0)
+        return self._between.pop(0)  # type: ignore[return-value]
+
+    def goes(self, to: scenes.Visit) -> bool:
+        """Does the game go to this scene now? Outside of steps, only where it did when this was recorded."""
+        next_one = self._between[0] if self._between else None
+        if isinstance(next_one, Visited) and (next_one.name, next_one.inside) == (to.name, to.inside):
+            self._between.pop(0)
+            return True
+        return to.inside or not self.resumes
+
+    def source_of(self, name: str) -> str | None:
+        """The level that was read from the file `name` here when this was recorded, None if none was."""
+        found = (each for each in self._between if isinstance(each, Visited) and each.name == name)
+        return next((each.source for each in found), None)
+
+    def catch_up(self) -> None:
+        """Before a step: do what was done here outside of steps, when this was recorded, and nobody did this time."""
+        while self._between:
+            match self._between[0]:
+                case Visited(inside=False, name=name, arguments=arguments, sounds=sounds, source=source):
+                    if source is None and name.endswith(".evil"):
+                        scenes.go(self._game, scenes.again(self._game, sounds))
+                    else:
+                        scenes.go(self._game, scenes.visit(self._game, name, arguments, sounds))
+                case bytes() as saved:
+                    self._between.pop(0)
+                    saving.from_bytes(self._game, saved, self.replay.name)
+                case _:
+                    self._between.pop(0)
 
 
 def game_of(replay: Replay, **options: Any) -> Game:
@@ -176,6 +204,7 @@ def play(game: Game, replay: Replay) -> Playback:
     """Let `game`, which was just made as the recorded one was, play `replay`."""
     if replay.state is not None:
         saving.from_bytes(game, replay.state, replay.name)
-    elif game.world.steps:
-        raise Error(f"Game.replay: {replay.name} begins with the first step; this game has made {game.world.steps}")
+    elif game._steps_made or game.world.steps:
+        made = game._steps_made or game.world.steps
+        raise Error(f"Game.replay: {replay.name} begins with the first step; this game has made {made}")
     return Playback(game, replay)

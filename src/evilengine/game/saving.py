@@ -14,14 +14,17 @@ from typing import TYPE_CHECKING, Any
 
 from evilengine import _core
 from evilengine.audio import saving as sounds
+from evilengine.game import scenes
 from evilengine.level.rules import Rounds
 from evilengine.level.saving import LevelState, LevelWriter, reference
 from evilengine.save import Container, Slots
 from evilengine.save import inputs as inputs_code
 from evilengine.save.container import Sections
-from evilengine.scene import saving as scenes
+from evilengine.scene import saving as looks
 from evilengine.timer import saving as timers
+from evilengine.values import checks
 from evilengine.values.errors import Error, SaveError, SnapshotError
+from evilengine.values.tick import FASTEST, SLOWEST
 from evilengine.values.vec2 import to_vec2
 from evilengine.values.version import VERSION
 from evilengine.world import behaviours
@@ -80,15 +83,16 @@ def to_bytes(game: Game, origin: str = "") -> bytes:
                 return {"level": number, **name}
         return _method(function) or game._functions.name_of(function, f"Game.save: {where}")
 
-    drawings, scene = scenes.state_of(game.scene)
+    drawings, scene = looks.state_of(game.scene)
     tilted = None if game._tilted is None else [list(each) for each in game._tilted]
     about = {"title": game.title, "engine": VERSION, "origin": origin}
     rest: dict[str, Any] = {
+        "life": {**scenes.state_of(game), "speed": game.speed},
         "tilt": game.tilt,
         "paused": game.paused,
         "tilted": tilted,
         "strength": game._strength,
-        "camera": scenes.camera_state(game.camera),
+        "camera": looks.camera_state(game.camera),
         "scene": scene,
         "timer": timers.state_of(game.timer, lambda call, where: name_of(call, f"game.timer, {where}")),
         "behaviours": behaviours.state_of(game.world, name_of),
@@ -117,6 +121,10 @@ def from_bytes(game: Game, data: bytes, name: str) -> None:
 def _become(game: Game, sections: Sections, name: str) -> None:
     try:
         put = _read(game, sections)
+        there = scenes.return_to(game, json.loads(sections["game"]).get("life", {}))
+        if there is not None:
+            there()
+            put = _read(game, sections)  # again: what is there now is another game's
     except SaveError as problem:
         raise SaveError(f"Game.resume: {name}: {problem}") from problem
     except (SnapshotError, *NOT_SOUND) as problem:
@@ -131,7 +139,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
     world = _core.Saved(sections["world"])
     worlds.check_notes(game.world, world.notes)
     bodies, shapes, forces = (set(slots) for slots in world.slots)
-    scene = scenes.SceneState(game.scene, sections["drawings"], state["scene"])
+    scene = looks.SceneState(game.scene, sections["drawings"], state["scene"])
     none = _core.NO_SLOT
     if not all(body in bodies | {none} and shape in shapes | {none} for _, body, shape in scene.places):
         raise ValueError("drawings on what is not there")
@@ -162,13 +170,14 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
     interaction = game._interaction.read(state["interaction"])
     heard = sounds.read(game.audio, state["audio"], bodies)
     grabs = game._grabs.read(state["grabs"], game.world, bodies)
-    camera = scenes.read_camera(game.camera, state["camera"])
+    camera = looks.read_camera(game.camera, state["camera"])
     dice, inputs = _read_random(sections["random"]), inputs_code.decode(sections["inputs"])
     tilted = None
     if state["tilted"] is not None:
         direction, gravity = (to_vec2(each, "game", "tilted") for each in state["tilted"])
         tilted = (direction, gravity)
     tilt, paused, strength = bool(state["tilt"]), bool(state["paused"]), float(state["strength"])
+    speed = checks.number(state.get("life", {}).get("speed", 1.0), "game", "speed", least=SLOWEST, most=FASTEST)
 
     def put() -> None:
         worlds.become(game.world, world)
@@ -202,6 +211,8 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
         game.random.setstate(dice)
         game._inputs, game._alpha = inputs, 1.0
         game.tilt, game.paused, game._tilted, game._strength = tilt, paused, tilted, strength
+        game.speed = speed
+        scenes.put_level(game)
 
     return put
 

@@ -69,7 +69,7 @@ class Things:
         high = points / POINTS_A_METRE if height is None else number(height, "Game.sprite", "height", above=0.0)
         return self.scene.add(Rectangle(high * width / points, high), texture=image, **options)
 
-    def text(self, text: str, **options: Any) -> Text:
+    def text(self, text: object, **options: Any) -> Text:
         """Put a line of text on the screen, `at` logical points from its top left corner."""
         return self.scene.text(text, **options)
 

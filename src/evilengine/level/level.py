@@ -21,8 +21,9 @@ from evilengine.script.arithmetic import ArithmeticProblem, evaluate
 from evilengine.script.tags import Rule, Tags
 from evilengine.script.word import MAX_BODIES, MAX_ROUNDS
 from evilengine.values import level as commands
+from evilengine.values.diagnostics import level_error
 from evilengine.values.errors import ArgumentError, Error, LevelError
-from evilengine.values.level import Area, Block, Called, Corners, LevelScript, Make, Number, Pair, Tagged, level_error
+from evilengine.values.level import Area, Block, Called, Corners, LevelScript, Make, Number, Pair, Tagged
 from evilengine.world.body import Body
 from evilengine.world.forces import ConstantForce, Drag, Medium, Spring
 from evilengine.world.shapes import Circle, Particle, Polygon, Rectangle, Triangle
@@ -195,6 +196,10 @@ class Level:
                 game.add_background(self._beside(what) if PurePath(what).suffix else what)
             case commands.SetSeed(seed=seed):
                 game.random.seed(seed)
+            case commands.Go(file=file):
+                self._go(file, game)
+            case commands.SetPace(pace=pace):
+                game.speed = self._number(pace, scope)
             case commands.AddDrawing():
                 self._add_drawing(command, scope, game)
             case commands.AddText():
@@ -324,6 +329,12 @@ class Level:
         else:
             game.audio.music(self._beside(command.file) if command.file else None, **options)
             self._on_failure(lambda: game.audio.music(None))
+
+    def _go(self, file: str, game: Game) -> None:
+        if file:
+            game.go(self._beside(file))
+        else:
+            game.restart()
 
     def _add_text(self, command: commands.AddText, scope: Scope, game: Game) -> None:
         words = self._words(command.pieces, scope)

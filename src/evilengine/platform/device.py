@@ -19,6 +19,8 @@ class Device(Protocol):
     title: str
     vsync: bool
     """True when `show` waits for the screen, so that a loop needs no clock of its own to keep its pace."""
+    fullscreen: bool
+    """Does it fill the screen? May be set; a ResizeEvent tells the size that comes of it."""
 
     @property
     def size(self) -> tuple[int, int]:

@@ -37,6 +37,9 @@ from evilengine.values.vec2 import Point, Vec2, to_vec2
 FURTHEST = 1.0e6
 """Points from the corner of the window that a position may be: more is a mistake, and far from overflowing anything."""
 
+SCREEN = (1920, 1080)
+"""Points of the screen that it pretends to have."""
+
 MOST_G = 100.0
 """Largest acceleration that a reading may have, in g; the sensors of phones end at 16."""
 
@@ -66,6 +69,7 @@ class HeadlessDevice:
         """The picture shown last."""
         self._size = to_size(size, "HeadlessDevice")
         self._scale = number(scale, "HeadlessDevice", "scale", least=0.25, most=8)
+        self._windowed: tuple[int, int] | None = None  # how large it is when it does not fill the screen
         self._open = True
         self._events: list[Event] = []
         self._fingers: dict[Finger, Vec2] = {}
@@ -88,6 +92,21 @@ class HeadlessDevice:
     def scale(self) -> float:
         """Real pixels a logical point."""
         return self._scale
+
+    @property
+    def fullscreen(self) -> bool:
+        """Whether it pretends to fill a screen, of 1920 x 1080 points; may be set."""
+        return self._windowed is not None
+
+    @fullscreen.setter
+    def fullscreen(self, full: bool) -> None:
+        self._require_open("Device.fullscreen")
+        if full and self._windowed is None:
+            self._windowed = self._size
+            self.resize(SCREEN)
+        elif not full and self._windowed is not None:
+            size, self._windowed = self._windowed, None
+            self.resize(size)
 
     @property
     def is_open(self) -> bool:

@@ -5,9 +5,9 @@
 Before each step comes a byte whose bits say what follows it: the inputs, where they are not those of the step before
 (deflated, with those as a dictionary), and the size of the screen, where it changed. After a step may come sums: a byte
 whose bits say which are others than before, and those. Further records have a length: what the recording begins with, a
-saved game that was resumed in between, the end. Every second a seal holds the checksum of all records before it. Each
-step is handed to the system before it is made, so a recording outlives the crash that it is to explain; it just has no
-end, and no length.
+saved game that was resumed in between, a scene that was gone to, the end. Every second a seal holds the checksum of all
+records before it. Each step is handed to the system before it is made, so a recording outlives the crash that it is to
+explain; it just has no end, and no length.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ import math
 import struct
 import weakref
 import zlib
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -35,7 +35,7 @@ LARGEST_INPUTS = 1 << 20  # bytes of one step's; a forged file may not ask for a
 
 INPUTS, SIZE = 1, 2  # bits of the byte before a step
 SUMS = 0x20  # and a bit for each of MODULES
-HEADER, STATE, RESUMED, SEAL, END = 0x80, 0x81, 0x82, 0x83, 0x84
+HEADER, STATE, RESUMED, SEAL, END, VISIT = 0x80, 0x81, 0x82, 0x83, 0x84, 0x85
 
 STEPS_A_SEAL = 60
 
@@ -48,6 +48,19 @@ NO_SUMS: Sums = (0,) * len(MODULES)
 
 
 @dataclass(frozen=True, slots=True)
+class Visited:
+    """A scene that was gone to between two steps."""
+
+    name: str
+    arguments: tuple[Any, ...]
+    source: str | None
+    """Of a level that was read from its file then."""
+    inside: bool
+    """Was it asked for by the step itself, which asks again when it is played?"""
+    sounds: str
+
+
+@dataclass(frozen=True, slots=True)
 class Step:
     """One step of a recording."""
 
@@ -56,8 +69,8 @@ class Step:
     """Of the screen, in logical points."""
     sums: Sums | None = None
     """After the step; None where none were taken."""
-    resumed: tuple[bytes, ...] = ()
-    """Saved games that were resumed when the step was over."""
+    between: tuple[bytes | Visited, ...] = ()
+    """Saved games that were resumed, and scenes that were gone to, when the step was over and before the next."""
 
 
 class Recorder:
@@ -118,6 +131,10 @@ class Recorder:
         """Write that this saved game was resumed."""
         self._record(RESUMED, zlib.compress(state))
 
+    def visited(self, to: Visited) -> None:
+        """Write that this scene was gone to."""
+        self._record(VISIT, json.dumps(asdict(to), allow_nan=False, sort_keys=True).encode())
+
     def close(self) -> None:
         """Write the end. Closing twice does nothing."""
         if self._open:
@@ -170,8 +187,8 @@ class Replay:
     state: bytes | None
     """The saved game that it begins with; None for one that begins with a level or a program."""
     steps: tuple[Step, ...]
-    resumed: tuple[bytes, ...]
-    """Saved games that were resumed before the first step."""
+    between: tuple[bytes | Visited, ...]
+    """What was resumed and gone to before the first step."""
     complete: bool
     """False when it breaks off: whoever recorded it crashed or was killed."""
 
@@ -213,7 +230,7 @@ class _Parser:
         self._now = Inputs()
         self._size = (0.0, 0.0)
         self._sums = NO_SUMS
-        self._resumed: list[bytes] = []
+        self._between: list[bytes | Visited] = []
         self._summed = self._ended = False
 
     def replay(self) -> Replay:
@@ -225,7 +242,7 @@ class _Parser:
             complete = False
         if self._header is None:
             raise ValueError("it has no beginning")
-        return Replay(self._name, self._header, self._state, tuple(self._steps), tuple(self._resumed), complete)
+        return Replay(self._name, self._header, self._state, tuple(self._steps), tuple(self._between), complete)
 
     def _record(self) -> bool:
         """Take in one record; True for the seal that comes after the end."""
@@ -274,11 +291,13 @@ class _Parser:
                 self._header = header
             case _ if kind == STATE and self._state is None and not self._steps:
                 self._state = _inflate_save(data)
-            case _ if kind == RESUMED and self._steps:
-                last = self._steps[-1]
-                self._steps[-1] = replace(last, resumed=(*last.resumed, _inflate_save(data)))
-            case _ if kind == RESUMED:
-                self._resumed.append(_inflate_save(data))
+            case _ if kind in (RESUMED, VISIT):
+                what = _inflate_save(data) if kind == RESUMED else _visited(data)
+                if self._steps:
+                    last = self._steps[-1]
+                    self._steps[-1] = replace(last, between=(*last.between, what))
+                else:
+                    self._between.append(what)
             case _ if kind == END and struct.unpack("<Q", data) == (len(self._steps),):
                 self._ended = True
             case _:
@@ -294,6 +313,14 @@ class _Parser:
             raise _CutShortError
         self._at += count
         return part
+
+
+def _visited(data: bytes) -> Visited:
+    row = json.loads(data)
+    source = row["source"]
+    if not (isinstance(row["name"], str) and (source is None or isinstance(source, str))):
+        raise ValueError("a scene without a name")
+    return Visited(row["name"], tuple(row["arguments"]), source, bool(row["inside"]), str(row["sounds"]))
 
 
 # Raw deflate in a small window: what one step holds is short, and the dictionary is at most as long.

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from typing import Any, TypeAlias
 
 from evilengine import _core
+from evilengine.scene import graph
 from evilengine.scene.camera import Camera
 from evilengine.scene.debug import DebugView
 from evilengine.scene.drawing import Drawing, placement, to_layer, to_matrix6
@@ -15,6 +16,7 @@ from evilengine.values.checks import known_keywords, number
 from evilengine.values.colour import BACKGROUND, PALETTE, STONE, WHITE, Colour, ColourLike, to_colour
 from evilengine.values.drawlist import DrawList
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
+from evilengine.values.frame import FrameTimes
 from evilengine.values.vec2 import Point
 from evilengine.world.body import Body, Shape
 from evilengine.world.shapes import Circle, PolygonLike, ShapeDefinition, to_shape
@@ -55,6 +57,8 @@ class Scene:
         self.debug = False
         """Is the debug view drawn over the world?"""
         self.debug_view = DebugView()
+        self.graph: Collection[FrameTimes] | None = None
+        """What frames cost, to be drawn over everything; None for no graph."""
         self._core = _core.Scene()
         self._textures = textures
         self._fonts = fonts
@@ -174,6 +178,16 @@ class Scene:
         self._overlay.append(line)
         return line
 
+    def clear(self) -> None:
+        """Take away every drawing and text, and the background; what `overlay` put on the screen stays."""
+        nothing = _core.SavedScene(_core.Scene().snapshot(self.world._core)[0])
+        self._core.restore(nothing, self.world._core, [])
+        for text in self._texts:
+            if text.alive:
+                text.destroy()
+        self._texts, self._restored, self._from_palette, self.background = [], {}, 0, BACKGROUND
+        self._restores += 1
+
     def _require_fonts(self, owner: str) -> None:
         if self._fonts is None:
             raise ArgumentError(f"{owner}: this scene was given no fonts; Scene(fonts=...) takes them")
@@ -184,11 +198,13 @@ class Scene:
         alpha: float = 1.0,
         pixel_size: tuple[int, int] | None = None,
         scale: float | None = None,
+        *,
+        overlay: bool = True,
     ) -> DrawList:
         """The frame at `alpha` (0..1) between the last two steps, for a picture of `pixel_size` real pixels.
 
-        `scale` is how many of them a logical point is long; without it, what the screen shows fits the picture. The
-        list is good until the next `collect`.
+        `scale` is how many of them a logical point is long; without it, what the screen shows fits the picture. Without
+        `overlay` only what belongs to the game is on it. The list is good until the next `collect`.
         """
         width, height = (round(each) for each in (camera.size if pixel_size is None else pixel_size))
         number(width, "Scene.collect", "pixel_size", least=1)
@@ -200,9 +216,11 @@ class Scene:
         content = self._core.collect(self.world._core, view, alpha, scale)
         if self.debug:
             self.debug_view.draw(self._core, self.world, self._fonts, view, alpha, screen, scale)
+        if self.graph is not None and overlay:
+            graph.draw(self._core, self.graph, self._fonts, screen, scale)
         self._texts = [text for text in self._texts if text.alive]
         self._overlay = [text for text in self._overlay if text.alive]
-        for text in (*self._texts, *self._overlay):
+        for text in (*self._texts, *(self._overlay if overlay else ())):
             if text.visible and self._fonts is not None:
                 text.draw(self._core, self._fonts, screen, scale)
         return DrawList(screen, self._background.rgba8, content)

@@ -7,8 +7,9 @@ from pathlib import Path
 from evilengine.script.builder import Builder
 from evilengine.script.lexer import MAX_CHARACTERS, Source
 from evilengine.script.parser import parse
+from evilengine.values.diagnostics import Diagnostic, level_error
 from evilengine.values.errors import AssetError
-from evilengine.values.level import Diagnostic, LevelScript, level_error
+from evilengine.values.level import LevelScript
 
 
 def check(text: str, file: str = "level.evil", folder: str | Path = "") -> tuple[LevelScript, tuple[Diagnostic, ...]]:

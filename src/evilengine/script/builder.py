@@ -27,6 +27,7 @@ from evilengine.script.word import ANY, LANGUAGE_VERSION, MAX_ROUNDS, MAX_WORK, 
 from evilengine.script.words import property_of
 from evilengine.values import level as values
 from evilengine.values.level import Called, Command, Number, Option, Place, Tagged, Value
+from evilengine.values.tick import FASTEST, SLOWEST
 
 THINGS = (*BODIES, "spring", "force", "drag", "medium", DRAWING, TEXT)
 
@@ -115,12 +116,24 @@ class Builder(ThingBuilder):
                 return [values.SetTilt(place, switch == "on")]
             case "background", (Text() as what,):
                 return [self._background(what, place)]
+            case "go" | "restart", _:
+                return self._go(statement)
+            case "pace", (pace,):
+                assert not isinstance(pace, Text | Identifier | Spot)
+                return [values.SetPace(place, self.number(pace, "pace", Range(least=SLOWEST, most=FASTEST)))]
             case "destroy", (Identifier() as name,):
                 made = self.called(name, THINGS, "thing")
                 return [values.Destroy(place, Called(name.name))] if made else []
             case "impulse", (Identifier() as name, Spot() as kick):
                 return self._impulse(name, kick, place)
         return []
+
+    def _go(self, statement: Order) -> list[Command]:
+        if self._top:
+            message = f"{statement.word} stands in a block, or the level would never be seen"
+            self.error("wrong-place", message, statement.place, f'as in: on key "r" {{ {statement.word} ...; }}')
+        file = next((self.level(each) for each in statement.values if isinstance(each, Text)), "")
+        return [values.Go(statement.place, file)]
 
     def _version(self, version: Literal, place: Place) -> None:
         if version.value != LANGUAGE_VERSION:

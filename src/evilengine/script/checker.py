@@ -261,6 +261,17 @@ class Checker:
     def sound(self, text: Text) -> str:
         return self._file(text, "sounds", (".wav", ".ogg", ".mp3", ".flac"), "thud.ogg")
 
+    def level(self, text: Text) -> str:
+        if not text.value.endswith(".evil"):
+            self.error(
+                "bad-file",
+                f"'{cut(text.value)}' is no level",
+                text.place,
+                'its name ends in .evil, as in "level2.evil"',
+            )
+            return text.value
+        return self._file(text, "levels", (".evil",), "level2.evil")
+
     def _file(self, text: Text, kind: str, endings: tuple[str, ...], example: str) -> str:
         """The name of a file that lies in the level's folder."""
         name = text.value

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 
 from evilengine.script.word import UNITS
 from evilengine.script.words import PROPERTY_WORDS, near
-from evilengine.values.level import Diagnostic, Place
+from evilengine.values.diagnostics import Diagnostic
+from evilengine.values.level import Place
 
 MAX_CHARACTERS = 500_000  # a level of ten thousand objects takes 600,000 at most; more is a wrong file, not a level
 MAX_DIAGNOSTICS = 1000  # enough to mend for a day; a picture opened as a level has no end of them

@@ -219,6 +219,12 @@ class Parser(Things):
                 return (self.switch("tilt"),)
             case "background":
                 return (self.colour("background"),)
+            case "go":
+                return (self.file("go", "a level", "level2.evil"),)
+            case "restart":
+                return ()
+            case "pace":
+                return (self.number("pace needs a number, as in: pace 0.25;"),)
             case "let":
                 return self._let()
             case "destroy":

@@ -121,6 +121,19 @@ class PythonValues:
         return f"evil.{make.type}({', '.join([*arguments, *(self.option(each) for each in make.options)])})"
 
 
+def imports(text: str) -> list[str]:
+    """The import lines that a program with this text needs."""
+    lines = ["import math", ""] if "math." in text else []
+    lines.append("import evilengine as evil")
+    angles = [name for name in ("cosine", "sine") if f"{name}(" in text]
+    if angles:
+        lines.append(f"from evilengine.script.arithmetic import {', '.join(angles)}")
+    tags = [name for name, use in (("Tags", "Tags()"), ("when_met", "when_met(")) if use in text]
+    if tags:
+        lines.append(f"from evilengine.script.tags import {', '.join(tags)}")
+    return lines
+
+
 def literal(value: float) -> str:
     """A number as Python: without a point if it is whole."""
     negative_zero = value == 0.0 and math.copysign(1.0, value) < 0.0

@@ -85,6 +85,28 @@ STATEMENTS: Mapping[str, Statement] = {
             meant=("song", "soundtrack"),
         ),
         Statement(
+            word="go",
+            form='go "LEVEL.evil";',
+            doc="Begins another level in the same folder, when the step is over: in a block, such as that of an event. "
+            "Everything of this one is gone then.",
+            example='new circle ball 0.5 at 0 3 physicsOn;\non touch ball { go "level2.evil"; }',
+            meant=("goto", "scene", "nextlevel", "load", "open"),
+        ),
+        Statement(
+            word="restart",
+            form="restart;",
+            doc="Begins this level again, when the step is over: in a block, such as that of an event.",
+            example='on key "r" { restart; }',
+            meant=("again", "reset", "restartLevel"),
+        ),
+        Statement(
+            word="pace",
+            form="pace NUMBER;",
+            doc="How fast time goes: `0.25` is slow motion, `1` as always, `2` twice as fast; 0.05 to 4.",
+            example='on key "s" { pace 0.25; }\nafter 5 { pace 1; }',
+            meant=("speed", "slow", "slowmotion", "timescale"),
+        ),
+        Statement(
             word="let",
             form="let NAME NUMBER;",
             doc="Makes a number that has a name, such as a score. `set` changes it.",

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from pathlib import PurePath
 
 from evilengine.script.blocks import changed, destroyed, has_tags, is_deferred, used
-from evilengine.script.python_values import PythonValues, literal, quoted
+from evilengine.script.python_values import PythonValues, imports, literal, quoted
 from evilengine.values import level as commands
 from evilengine.values.level import Block, Called, Command, LevelScript, Number, Tagged
 
@@ -70,9 +70,12 @@ class Translator(PythonValues):
         title = PurePath(self._level.file).name
         stem = PurePath(self._level.file).stem
         text = "\n".join(body)
-        lines = [f"{quoted(f'{title} as Python, made by `evil translate`.', 3)}", "", *_imports(text), "", ""]
+        lines = [f"{quoted(f'{title} as Python, made by `evil translate`.', 3)}", "", *imports(text), "", ""]
         lines += ["def build(game):", text, "", "", 'if __name__ == "__main__":']
-        lines += [f"    game = evil.Game({quoted(stem)})", "    build(game)", "    game.run()", ""]
+        begin = ["    build(game)"]
+        if any(isinstance(each, commands.Go) and not each.file for each in self._level.numbered):
+            begin = [f"    game.scenes({quoted(stem)})(lambda: build(game))", f"    game.go({quoted(stem)})"]
+        lines += [f"    game = evil.Game({quoted(stem)})", *begin, "    game.run()", ""]
         return "\n".join(lines)
 
     # Lines, names
@@ -184,6 +187,10 @@ class Translator(PythonValues):
                 self._line(f"game.tilt = {on}")
             case commands.SetBackground(what=what):
                 self._line(f"game.add_background({quoted(what)})")
+            case commands.Go(file=file):
+                self._line(f"game.go({quoted(file)})" if file else "game.restart()")
+            case commands.SetPace(pace=pace):
+                self._line(f"game.speed = {self.number(pace)}")
             case commands.SetSeed(seed=seed):
                 self._line(f"game.random.seed({seed})")
             case commands.AddBody():
@@ -432,16 +439,3 @@ class Translator(PythonValues):
                     self._inner(command.block)
                 self._sure.pop()
         self._sure[-1] -= {self.called(each) for each in destroyed(command.block)}
-
-
-def _imports(text: str) -> list[str]:
-    """The import lines that a program with this text needs."""
-    lines = ["import math", ""] if "math." in text else []
-    lines.append("import evilengine as evil")
-    angles = [name for name in ("cosine", "sine") if f"{name}(" in text]
-    if angles:
-        lines.append(f"from evilengine.script.arithmetic import {', '.join(angles)}")
-    tags = [name for name, use in (("Tags", "Tags()"), ("when_met", "when_met(")) if use in text]
-    if tags:
-        lines.append(f"from evilengine.script.tags import {', '.join(tags)}")
-    return lines

@@ -31,9 +31,12 @@ class Clock:
         self._before: float | None = None
         self._owed = 0.0  # steps, 0 to 1: time seen and not yet simulated
 
-    def advance(self, now: float) -> Tick:
-        """The steps due at `now`, seconds from any origin. Time that runs backwards counts as standing still."""
-        elapsed = self._elapsed(now)
+    def advance(self, now: float, speed: float = 1.0) -> Tick:
+        """The steps due at `now`, seconds from any origin. Time that runs backwards counts as standing still.
+
+        `speed` is how much of the time since the last frame the game lives through: at 0.5, two frames make a step.
+        """
+        elapsed = self._elapsed(now) * speed
         owed = self._owed + elapsed / STEP
         due = int(owed + ROUNDING)
         steps = min(due, MOST_STEPS)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any, Generic, ParamSpec, TypeVar
 
 from evilengine.values.errors import ArgumentTypeError
@@ -52,6 +52,10 @@ class Callbacks(Generic[P]):
         """Do not call `function` any more. Removing what was not added does nothing."""
         if function in self._functions:
             self._functions.remove(function)
+
+    def become(self, functions: Iterable[Callable[..., Any]]) -> None:
+        """Call these from now on, which were among them before, and no others."""
+        self._functions = list(functions)
 
     def __len__(self) -> int:
         """How many functions will be called."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from evilengine.values.level import Diagnostic
+    from evilengine.values.diagnostics import Diagnostic
 
 
 class Error(Exception):

@@ -8,6 +8,10 @@ STEP = 1.0 / 60.0
 """Seconds that one step simulates, on every machine: a step that varied would play differently on each."""
 
 
+SLOWEST, FASTEST = 0.05, 4.0
+"""How fast a game's time may go. Faster, and a frame owes more steps than a slow machine may catch up on."""
+
+
 @dataclass(frozen=True, slots=True)
 class Tick:
     """One frame's share of time."""
