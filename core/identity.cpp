@@ -41,8 +41,8 @@ std::uint64_t word(auto value) { return static_cast<std::uint64_t>(value); }
 std::uint64_t fingerprint(const NewShape& shape) {
     const Shape& s = shape.shape;
     Print print;
-    print << word(s.kind) << s.local << s.radius << s.mass << s.material.density << s.material.friction
-          << s.material.restitution << shape.corners;
+    print << word(s.kind) << word(s.closed) << s.local << s.radius << s.mass << s.material.density
+          << s.material.friction << s.material.restitution << shape.corners;
     return print.value();
 }
 

@@ -1,4 +1,5 @@
 #include "snapshot.hpp"
+#include "shapes/polygon.hpp"
 #include "state_fields.hpp"
 #include <memory>
 
@@ -128,13 +129,36 @@ bool bodies_hold_together(const SavedState& s) {
 }
 
 bool polygon_holds_together(const SavedState& s, std::uint32_t i) {
-    if (s.shapes.corners[i].size() < 3 || s.shapes.parts[i].empty()) return false;
+    if (s.shapes.corners[i].size() < 3 || s.shapes.corners[i].size() > kMaxCorners || s.shapes.parts[i].empty())
+        return false;
     for (const Part& part : s.shapes.parts[i]) {
-        if (part.size() < 3) return false;
+        if (part.size() < 3 || part.size() > s.shapes.corners[i].size()) return false;
         for (std::uint32_t corner : part)
             if (corner >= s.shapes.corners[i].size()) return false;
     }
     return true;
+}
+
+bool line_holds_together(const SavedState& s, std::uint32_t i) {
+    const Shape& shape = s.shapes.rows[i];
+    std::size_t points = s.shapes.corners[i].size(), fewest = shape.closed ? 3 : 2;
+    if (shape.kind == ShapeKind::line && points != 2) return false;
+    return points >= fewest && points <= kMaxCorners && s.shapes.parts[i].empty();
+}
+
+bool corners_hold_together(const SavedState& s, std::uint32_t i) {
+    const Shape& shape = s.shapes.rows[i];
+    switch (shape.kind) {
+    case ShapeKind::polygon:
+        return polygon_holds_together(s, i);
+    case ShapeKind::line:
+    case ShapeKind::chain:
+        return line_holds_together(s, i);
+    case ShapeKind::circle:
+    case ShapeKind::particle:
+        break;
+    }
+    return s.shapes.parts[i].empty();
 }
 
 bool shapes_hold_together(const SavedState& s) {
@@ -142,10 +166,10 @@ bool shapes_hold_together(const SavedState& s) {
     for (std::uint32_t i = 0; i < s.shape_taken.size(); ++i) {
         if (!s.shape_taken[i]) continue;
         const Shape& shape = s.shapes.rows[i];
-        if (shape.kind > ShapeKind::particle || !taken(s.body_taken, shape.body)) return false;
+        if (shape.kind > ShapeKind::chain || !taken(s.body_taken, shape.body)) return false;
         if (shape.serial >= s.shapes.next_serial) return false;
-        if (shape.kind == ShapeKind::polygon ? !polygon_holds_together(s, i) : !s.shapes.parts[i].empty()) return false;
-        std::size_t wanted = shape.kind == ShapeKind::circle ? 1 : s.shapes.parts[i].size(), found = 0;
+        if (!corners_hold_together(s, i)) return false;
+        std::size_t wanted = piece_count(shape, s.shapes.corners[i], s.shapes.parts[i]), found = 0;
         for (std::uint32_t p = shape.first_piece; p != kNone; p = s.shapes.pieces[p].next)
             if (!taken(s.piece_taken, p) || s.shapes.pieces[p].shape != i || ++found > wanted) return false;
         if (found != wanted) return false;
@@ -190,11 +214,11 @@ void rebuild_pieces(SavedState& s) {
             Piece& piece = s.shapes.pieces[p];
             piece.body = row.body;
             piece.first = static_cast<std::uint32_t>(s.shapes.points.size());
-            piece.count =
-                row.kind == ShapeKind::polygon ? static_cast<std::uint32_t>(s.shapes.parts[shape][part].size()) : 0;
-            s.shapes.points.resize(s.shapes.points.size() + piece.count);
+            piece.count = corner_count(row, s.shapes.parts[shape], part);
+            std::uint32_t room = room_of(piece, row.kind);
+            s.shapes.points.resize(s.shapes.points.size() + room);
             s.shapes.normals.resize(s.shapes.points.size());
-            s.shapes.live_points += piece.count;
+            s.shapes.live_points += room;
         }
         bake(s.shapes, shape, s.bodies.rows[row.body].scale);
     }

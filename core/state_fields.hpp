@@ -24,8 +24,8 @@ template <class A, Like<Body> V> void visit(A& ar, V& b) {
 }
 
 template <class A, Like<Shape> V> void visit(A& ar, V& s) {
-    visit(ar, s.kind, s.body, s.next, s.first_piece, s.local, s.radius, s.mass, s.material.density, s.material.friction,
-          s.material.restitution, s.serial, s.born);
+    visit(ar, s.kind, s.closed, s.body, s.next, s.first_piece, s.local, s.radius, s.mass, s.material.density,
+          s.material.friction, s.material.restitution, s.serial, s.born);
 }
 
 template <class A, Like<ManifoldPoint> V> void visit(A& ar, V& p) {

@@ -81,7 +81,7 @@ MatrixProblem problem_with(const World& world, std::uint32_t shape, const Affine
     if (!std::isfinite(size) || size > kMaxScale || !(length({m.tx, m.ty}) <= kWorldEdge))
         return MatrixProblem::too_large;
     if (!(std::abs(determinant(m)) > kMinScale * size * size) || size < kMinScale) return MatrixProblem::flat;
-    if (changed.kind == ShapeKind::circle && !is_similarity(m)) return MatrixProblem::squeezes_circle;
+    if (changed.radius > 0.0f && !is_similarity(m)) return MatrixProblem::squeezes_circle;
     return MatrixProblem::none;
 }
 

@@ -5,7 +5,7 @@
 #include "bind/shapes.hpp"
 #include "draw/debug.hpp"
 #include "draw/saving.hpp"
-#include "shapes/polygon.hpp"
+#include "shapes/rounded.hpp"
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -103,17 +103,20 @@ Reference add_drawing(SceneBox& box, std::uint32_t mesh, BodyRef body, ShapeRef 
 
 BodyRef to_body(MaybeReference body) { return body ? BodyRef{std::get<0>(*body), std::get<1>(*body)} : BodyRef{}; }
 
+std::uint32_t mesh_of(SceneBox& box, const Shape& shape, std::span<const Vec2> corners, float speck,
+                      nb::handle texture_points, nb::handle colours) {
+    Meshes& meshes = box.scene.meshes;
+    const std::vector<Vec2> outline = drawn_outline(shape, corners);
+    if (!outline.empty()) return meshes.take_polygon(to_vertices(outline, texture_points, colours));
+    return meshes.take_circle(shape.kind == ShapeKind::circle ? shape.radius : speck);
+}
+
 // A drawing of a shape as the world has it, which follows the shape's matrix. A particle is shown as a disc.
 Reference add_shape(SceneBox& box, const World& world, std::uint32_t slot, float speck, nb::object texture_points,
                     nb::object colours) {
     if (!world.shapes.slots.taken(slot)) raise(ErrorKind::stale_reference, "this Shape was destroyed");
     const Shape& shape = world.shapes.rows[slot];
-    Meshes& meshes = box.scene.meshes;
-    std::uint32_t mesh = 0;
-    if (shape.kind == ShapeKind::polygon)
-        mesh = meshes.take_polygon(to_vertices(world.shapes.corners[slot], texture_points, colours));
-    else
-        mesh = meshes.take_circle(shape.kind == ShapeKind::circle ? shape.radius : speck);
+    const std::uint32_t mesh = mesh_of(box, shape, world.shapes.corners[slot], speck, texture_points, colours);
     return add_drawing(box, mesh, {shape.body, world.bodies.slots.generation(shape.body)},
                        {slot, world.shapes.slots.generation(slot)});
 }
@@ -226,6 +229,15 @@ void register_scene(nb::module_& module) {
         .def(
             "generation", [](const SceneBox& box, std::uint32_t s) { return box.scene.slots.generation(s); }, slot)
         .def_prop_ro("mesh_count", [](const SceneBox& box) { return box.scene.meshes.count(); })
+        .def(
+            "add_definition",
+            [](SceneBox& box, const NewShape& spec, float speck, MaybeReference body, nb::object texture_points,
+               nb::object colours) {
+                const std::uint32_t mesh = mesh_of(box, spec.shape, spec.corners, speck, texture_points, colours);
+                return add_drawing(box, mesh, to_body(body));
+            },
+            nb::arg("spec"), nb::arg("speck"), nb::arg("body") = nb::none(), nb::arg("texture_points") = nb::none(),
+            nb::arg("colours") = nb::none())
         .def(
             "add_polygon",
             [](SceneBox& box, nb::handle corners, MaybeReference body, nb::object texture_points, nb::object colours) {

@@ -1,10 +1,12 @@
 // Shape definitions (what a user asks for) and handles (what is on a body).
 #include "bind/handle.hpp"
 #include "bind/shapes.hpp"
-#include "shapes/polygon.hpp"
+#include "shapes/rounded.hpp"
 
 namespace evil::bind {
 namespace {
+
+constexpr float kMinEdge = 1e-4f; // metres, MIN_SIZE of world/shapes.py
 
 Affine placed_at(nb::handle offset, double angle, const char* owner) {
     Vec2 p = to_vec2(offset, owner, "offset");
@@ -13,7 +15,17 @@ Affine placed_at(nb::handle offset, double angle, const char* owner) {
 
 Affine rows_of(const ShapeHandle& h) { return definition_to_body(row(h), h.world->bodies.rows[row(h).body].scale); }
 
-// In the body's frame: ("circle", centre, radius), ("polygon", corners) or ("particle", centre).
+nb::tuple to_tuple(std::span<const Vec2> points) {
+    nb::list list;
+    for (Vec2 p : points) list.append(from_vec2(p));
+    return nb::tuple(list);
+}
+
+constexpr const char* kOutline =
+    "In the body's frame: ('circle', centre, radius), ('polygon', corners), ('rounded', "
+    "corners of its core, radius), ('capsule', ends, radius), ('segment', ends), ('chain', "
+    "points, loop) or ('particle', centre).";
+
 Anything outline(const ShapeHandle& h) {
     const Shape& shape = row(h);
     Affine m = rows_of(h);
@@ -22,9 +34,14 @@ Anything outline(const ShapeHandle& h) {
             nb::make_tuple("circle", from_vec2({m.tx, m.ty}), shape.radius * length({m.a, m.b})));
     if (shape.kind == ShapeKind::particle)
         return nb::borrow<Anything>(nb::make_tuple("particle", from_vec2({m.tx, m.ty})));
-    nb::list corners;
-    for (Vec2 p : h.world->shapes.corners[h.ref.slot]) corners.append(from_vec2(apply(m, p)));
-    return nb::borrow<Anything>(nb::make_tuple("polygon", nb::tuple(corners)));
+    std::vector<Vec2> points;
+    for (Vec2 p : h.world->shapes.corners[h.ref.slot]) points.push_back(apply(m, p));
+    nb::tuple corners = to_tuple(points);
+    float radius = shape.radius * length({m.a, m.b});
+    if (shape.kind == ShapeKind::chain) return nb::borrow<Anything>(nb::make_tuple("chain", corners, shape.closed));
+    bool line = shape.kind == ShapeKind::line;
+    if (radius > 0.0f) return nb::borrow<Anything>(nb::make_tuple(line ? "capsule" : "rounded", corners, radius));
+    return nb::borrow<Anything>(nb::make_tuple(line ? "segment" : "polygon", corners));
 }
 
 template <float Material::* Field>
@@ -37,6 +54,72 @@ void bind_material(nb::class_<ShapeHandle>& c, const char* name, float most, con
             wake(*h.world, shape.body);
         },
         doc);
+}
+
+// Points far enough apart to give each edge a direction.
+void refuse_bad_path(std::span<const Vec2> points, bool closed, const char* owner) {
+    std::string who = std::string(owner) + ": ";
+    std::size_t n = points.size(), fewest = closed ? 3 : 2;
+    if (n < fewest)
+        raise(ErrorKind::shape, who + "needs " + std::to_string(fewest) + " points or more; got " + std::to_string(n));
+    if (n > kMaxCorners)
+        raise(ErrorKind::shape, who + std::to_string(n) + " points are too many; at most " +
+                                    std::to_string(kMaxCorners) + " are allowed");
+    for (std::size_t i = 0; i < n; ++i)
+        if (!(std::abs(points[i].x) <= kMaxCoordinate && std::abs(points[i].y) <= kMaxCoordinate))
+            raise(ErrorKind::shape, who + "point " + std::to_string(i) +
+                                        " must be finite and at most 100000 metres from the origin each way");
+    for (std::size_t i = closed ? 0 : 1; i < n; ++i) {
+        std::size_t before = i > 0 ? i - 1 : n - 1;
+        if (length(points[i] - points[before]) < kMinEdge)
+            raise(ErrorKind::shape, who + "points " + std::to_string(before) + " and " + std::to_string(i) +
+                                        " are nearer than 0.0001 metres; leave one out" +
+                                        (closed ? " (loop=True joins the last to the first)" : ""));
+    }
+}
+
+NewShape polygon_spec(nb::handle corners, const char* owner, float rounding) {
+    NewShape s;
+    s.shape.kind = ShapeKind::polygon;
+    s.corners = to_corners(corners, owner, "corners");
+    refuse_bad_polygon(s.corners, owner, "corners");
+    make_counter_clockwise(s.corners);
+    if (rounding > 0.0f) {
+        std::vector<Vec2> core = inset(s.corners, rounding);
+        if (core.empty()) {
+            std::string most = nb::cast<std::string>(nb::str("{:.4g}").attr("format")(largest_inset(s.corners)));
+            raise(ErrorKind::shape,
+                  std::string(owner) + ": rounding is too large for these corners; at most about " + most + " fits");
+        }
+        s.corners = std::move(core);
+        s.shape.radius = rounding;
+    }
+    s.parts = split_convex(s.corners);
+    return s;
+}
+
+NewShape line_spec(nb::handle a, nb::handle b, float radius, const char* owner) {
+    NewShape s;
+    s.shape.kind = ShapeKind::line;
+    s.shape.radius = radius;
+    s.corners = {to_vec2(a, owner, "a"), to_vec2(b, owner, "b")};
+    refuse_bad_path(s.corners, false, owner);
+    return s;
+}
+
+NewShape chain_spec(nb::handle points, bool loop, const char* owner) {
+    NewShape s;
+    s.shape.kind = ShapeKind::chain;
+    s.shape.closed = loop;
+    s.corners = to_corners(points, owner, "points");
+    refuse_bad_path(s.corners, loop, owner);
+    return s;
+}
+
+double area_of(const NewShape& s) {
+    if (s.shape.kind == ShapeKind::circle) return circle_mass(s.shape.radius, 1.0f).mass;
+    if (s.shape.kind == ShapeKind::particle || s.shape.kind == ShapeKind::chain) return 0.0;
+    return rounded_mass(s.corners, s.shape.radius, 1.0f).mass;
 }
 
 void bind_definition(nb::module_& module) {
@@ -54,20 +137,17 @@ void bind_definition(nb::module_& module) {
         s.shape.mass = mass;
         return s;
     });
-    c.def_static("polygon", [](nb::handle corners, const char* owner) {
-        NewShape s;
-        s.shape.kind = ShapeKind::polygon;
-        s.corners = to_corners(corners, owner, "corners");
-        refuse_bad_polygon(s.corners, owner, "corners");
-        make_counter_clockwise(s.corners);
-        s.parts = split_convex(s.corners);
-        return s;
-    });
+    c.def_static("polygon", &polygon_spec, nb::arg("corners"), nb::arg("owner"), nb::arg("rounding") = 0.0f);
+    c.def_static("line", &line_spec);
+    c.def_static("chain", &chain_spec);
     c.def_prop_ro("corners", [](const NewShape& s) {
-        nb::list corners;
-        for (Vec2 p : s.corners) corners.append(from_vec2(p));
-        return nb::borrow<nb::typed<nb::tuple, PyVec2, nb::ellipsis>>(nb::tuple(corners));
+        return nb::borrow<nb::typed<nb::tuple, PyVec2, nb::ellipsis>>(to_tuple(s.corners));
     });
+    c.def_prop_ro("drawn", [](const NewShape& s) {
+        std::vector<Vec2> outline = drawn_outline(s.shape, s.corners);
+        return nb::borrow<nb::typed<nb::tuple, PyVec2, nb::ellipsis>>(to_tuple(outline));
+    });
+    c.def_prop_ro("area", &area_of);
 }
 
 } // namespace
@@ -112,8 +192,7 @@ void register_shape(nb::module_& module) {
         },
         "Kilograms that its density and area make; the body's mass unless that was set.");
     c.def_prop_ro("_body_slot", [](const ShapeHandle& h) { return row(h).body; });
-    c.def_prop_ro("outline", outline,
-                  "In the body's frame: ('circle', centre, radius), ('polygon', corners) or ('particle', centre).");
+    c.def_prop_ro("outline", outline, kOutline);
     c.def_prop_ro("_matrix", [](const ShapeHandle& h) { return from_affine(row(h).local); });
     c.def("_apply_matrix", [](const ShapeHandle& h, nb::handle matrix) {
         require_alive(h);

@@ -5,8 +5,9 @@
 namespace evil {
 
 Bounds bounds_of(const Shapes& shapes, const Piece& piece, const Pose& pose) {
+    Vec2 r{piece.radius, piece.radius};
     if (piece.count == 0) {
-        Vec2 centre = transform(pose, piece.centre), r{piece.radius, piece.radius};
+        Vec2 centre = transform(pose, piece.centre);
         return {centre - r, centre + r};
     }
     std::span<const Vec2> points = points_of(shapes, piece);
@@ -16,7 +17,7 @@ Bounds bounds_of(const Shapes& shapes, const Piece& piece, const Pose& pose) {
         low = min(low, p);
         high = max(high, p);
     }
-    return {low, high};
+    return {low - r, high + r};
 }
 
 namespace {

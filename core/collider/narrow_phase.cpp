@@ -1,4 +1,5 @@
 #include "collider/narrow_phase.hpp"
+#include "collider/gjk.hpp"
 
 namespace evil {
 namespace {
@@ -43,6 +44,8 @@ Best best_edge(const Placed& face, const Placed& other, const Pose& to_other, fl
 //                 |\           |        separation of a point = its height over the reference edge
 //   face  v1 -----|-*----------* v2-----
 //                   reference edge
+//
+// Heights are the cores'; skins lie on top of the face and under the other's points.
 ManifoldSketch clip(const Placed& face, std::uint32_t e, const Placed& other, float margin, bool flipped) {
     Pose to_face = relative(face.pose, other.pose);
     Vec2 v1 = face.points[e], v2 = face.points[e + 1 < face.piece.count ? e + 1 : 0], n = face.normals[e];
@@ -71,18 +74,48 @@ ManifoldSketch clip(const Placed& face, std::uint32_t e, const Placed& other, fl
     Vec2 c1 = t1 < low && t2 > t1 ? lerp(w1, w2, (low - t1) / (t2 - t1)) : w1;
     Vec2 c2 = t2 > high && t2 > t1 ? lerp(w1, w2, (high - t1) / (t2 - t1)) : w2;
     std::uint32_t id = (flipped ? 0x80000000u : 0u) | (e & 0x3fffu) << 17 | (incident & 0x3fffu) << 3;
+    float skins = face.piece.radius + other.piece.radius;
     auto keep = [&](Vec2 c, std::uint32_t which) {
         float s = dot(n, c - v1);
-        if (s > margin) return;
-        m.points[m.count++] = {transform(face.pose, c - 0.5f * s * n), s, id | which};
+        if (s - skins > margin) return;
+        Vec2 midway = c - 0.5f * (s - face.piece.radius + other.piece.radius) * n;
+        m.points[m.count++] = {transform(face.pose, midway), s - skins, id | which};
     };
     keep(c1, 0);
     if (t2 > t1) keep(c2, 1);
     return m;
 }
 
+ManifoldSketch one_point(Vec2 surface_a, Vec2 normal, float separation, std::uint32_t id) {
+    ManifoldSketch m;
+    m.count = 1;
+    m.normal = normal;
+    m.points[0] = {surface_a + 0.5f * separation * normal, separation, id};
+    return m;
+}
+
+// Two cores that are apart and whose skins may touch. Where an edge faces a corner or an edge, it is as without skins; where
+// two corners are nearest, they touch as two circles do.
+ManifoldSketch collide_rounded(const Placed& a, const Placed& b, float margin, float apart, auto&& flat) {
+    constexpr double kFlat =
+        0.999; // cosine of the angle up to which the edge counts: two points hold steadier than one
+    Proxy first{a.points, a.piece.radius}, second{b.points, b.piece.radius};
+    Nearest n = distance(first, a.pose, second, b.pose);
+    if (n.core == 0.0) return flat();
+    if (n.distance > double(margin)) return {};
+    if (double(apart) >= kFlat * n.core) {
+        ManifoldSketch m = flat();
+        if (m.count > 0) return m;
+    }
+    Vec2 normal = narrow(n.normal), surface = a.pose.p + narrow(n.a) + a.piece.radius * normal;
+    std::uint32_t corners = (n.corner_a[0] & 0x3fffu) << 17 | (n.corner_b[0] & 0x3fffu) << 3;
+    return one_point(surface, normal, static_cast<float>(n.distance), corners | 2u);
+}
+
 ManifoldSketch collide_polygons(const Placed& a, const Placed& b, float margin, Axis& axis) {
     Pose a_in_b = relative(b.pose, a.pose), b_in_a = relative(a.pose, b.pose);
+    float skins = a.piece.radius + b.piece.radius, clip_margin = margin;
+    margin += skins;  // from here on distances are the cores'
     if (axis.known) { // most pairs that were apart are kept apart by the same axis still
         const Placed &face = axis.of_b ? b : a, &other = axis.of_b ? a : b;
         if (axis.edge < face.piece.count &&
@@ -102,15 +135,13 @@ ManifoldSketch collide_polygons(const Placed& a, const Placed& b, float margin, 
     float bias = axis.known && axis.of_b ? -kReferenceBias : kReferenceBias; // stay with the last reference polygon
     bool use_b = of_b.separation > of_a.separation + bias;
     axis = {static_cast<std::uint16_t>(use_b ? of_b.edge : of_a.edge), use_b, true};
-    return use_b ? clip(b, of_b.edge, a, margin, true) : clip(a, of_a.edge, b, margin, false);
-}
-
-ManifoldSketch one_point(Vec2 surface_a, Vec2 normal, float separation, std::uint32_t id) {
-    ManifoldSketch m;
-    m.count = 1;
-    m.normal = normal;
-    m.points[0] = {surface_a + 0.5f * separation * normal, separation, id};
-    return m;
+    auto flat = [&] {
+        return use_b ? clip(b, of_b.edge, a, clip_margin, true) : clip(a, of_a.edge, b, clip_margin, false);
+    };
+    bool lines = a.piece.count == 2 && b.piece.count == 2; // behind one another they are apart along no edge's normal
+    float apart = std::max(of_a.separation, of_b.separation);
+    if (skins == 0.0f || (apart <= 0.0f && !lines)) return flat();
+    return collide_rounded(a, b, clip_margin, apart, flat);
 }
 
 ManifoldSketch collide_circles(const Placed& a, const Placed& b, float margin) {
@@ -126,7 +157,7 @@ ManifoldSketch collide_circles(const Placed& a, const Placed& b, float margin) {
 ManifoldSketch collide_polygon_circle(const Placed& polygon, const Placed& circle, float margin, Axis& axis,
                                       bool flipped) {
     Vec2 c = untransform(polygon.pose, transform(circle.pose, circle.piece.centre));
-    float r = circle.piece.radius;
+    float skin = polygon.piece.radius, r = circle.piece.radius + skin;
     auto height = [&](std::uint32_t e) { return dot(polygon.normals[e], c - polygon.points[e]); };
     if (axis.known && axis.edge < polygon.piece.count && height(axis.edge) > r + margin) return {};
 
@@ -144,7 +175,7 @@ ManifoldSketch collide_polygon_circle(const Placed& polygon, const Placed& circl
     float separation = best - r;
     std::uint32_t id = edge << 2;
     float along = dot(v2 - v1, c - v1), whole = length_squared(v2 - v1);
-    if (best > 0.0f && (along < 0.0f || along > whole)) { // outside, beyond an end of the face: a corner is nearest
+    if (best >= 0.0f && (along < 0.0f || along > whole)) { // outside, beyond an end of the face: a corner is nearest
         surface = along < 0.0f ? v1 : v2;
         float distance = length(c - surface);
         if (distance > r + margin) return {};
@@ -152,7 +183,7 @@ ManifoldSketch collide_polygon_circle(const Placed& polygon, const Placed& circl
         separation = distance - r;
         id |= along < 0.0f ? 1u : 2u;
     }
-    Vec2 n = rotate(polygon.pose.q, normal), s = transform(polygon.pose, surface);
+    Vec2 n = rotate(polygon.pose.q, normal), s = transform(polygon.pose, surface + skin * normal);
     return flipped ? one_point(s + separation * n, -n, separation, id) : one_point(s, n, separation, id);
 }
 

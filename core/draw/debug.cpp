@@ -1,5 +1,6 @@
 #include "draw/debug.hpp"
 #include "draw/scene.hpp"
+#include "shapes/rounded.hpp"
 
 namespace evil::draw {
 namespace {
@@ -39,7 +40,7 @@ void outline_shape(const Overlay& overlay, const World& world, std::uint32_t slo
              colour); // shows how it turns
         return;
     }
-    const std::vector<Vec2>& corners = world.shapes.corners[slot];
+    const std::vector<Vec2> corners = drawn_outline(shape, world.shapes.corners[slot]);
     Mesh mesh; // an outline needs no triangles
     mesh.first_vertex = static_cast<std::uint32_t>(list.vertices.size());
     mesh.vertex_count = static_cast<std::uint32_t>(corners.size());

@@ -59,7 +59,8 @@ std::uint32_t Meshes::take(const Mesh& kind, std::span<const Vertex> corners) {
     if (kind.kind == MeshKind::polygon) {
         outline_.clear();
         for (const Vertex& v : corners) outline_.push_back(v.at);
-        triangulate(outline_, triangles_);
+        bool simple = check_polygon(outline_).fault == PolygonFault::none; // not so where a chain crosses itself
+        if (simple) triangulate(outline_, triangles_);
     }
     const std::uint32_t slot = slots_.take();
     if (slot == meshes_.size()) {

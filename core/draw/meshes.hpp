@@ -9,7 +9,8 @@ namespace evil::draw {
 
 class Meshes {
 public:
-    // Each takes a use of the mesh, which is made when it is new. `corners`: a simple polygon, counter-clockwise.
+    // Each takes a use of the mesh, which is made when it is new. `corners`: a polygon, counter-clockwise; one that is not
+    // simple gets no triangles and is filled where it winds round.
     std::uint32_t take_polygon(std::span<const Vertex> corners);
     std::uint32_t take_circle(float radius);
     void release(std::uint32_t mesh); // gives a use back; the last one frees the mesh

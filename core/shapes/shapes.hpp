@@ -7,7 +7,8 @@
 
 namespace evil {
 
-enum class ShapeKind : std::uint8_t { circle, polygon, particle };
+// A line is a segment with a skin: a capsule, or with none a bare segment. A chain is a path of bare segments.
+enum class ShapeKind : std::uint8_t { circle, polygon, particle, line, chain };
 
 struct Material {
     float density = 1.0f, friction = 0.6f, restitution = 0.0f;
@@ -15,34 +16,39 @@ struct Material {
 
 struct Shape {
     ShapeKind kind = ShapeKind::circle;
+    bool closed = false; // chain: its last point is joined to its first
     std::uint32_t body = kNone;
     std::uint32_t next = kNone;        // next shape on the same body, in the order they were added
     std::uint32_t first_piece = kNone; // its convex pieces, in order; a particle has none
     Affine local;                      // shape to body (SPEC P4)
-    float radius = 0.0f;               // circle, before `local`
-    float mass = 0.0f;                 // particle
+    float radius = 0.0f; // of a circle, or of the skin round a polygon's or line's corners; before `local`
+    float mass = 0.0f;   // particle
     Material material;
     std::uint64_t serial = 0, born = 0, made = 0;
 };
 
-// A convex polygon with any number of corners, or a circle (no corners), in the body's frame.
+// A convex core and a skin round it, in the body's frame. The core is a polygon (3 corners or more), a segment (2, and a
+// normal to each side) or a point (none: `centre`); what touches it is within `radius` of the core.
 struct Piece {
     std::uint32_t shape = kNone, body = kNone;
     std::uint32_t next = kNone; // next piece of the same shape
-    std::uint32_t first = 0,
-                  count =
-                      0; // corners and outward normals in the pool, counter-clockwise; normal i is of edge i to i + 1
-    Vec2 centre;         // of the circle, or of the polygon's corners' bounds
-    float radius = 0.0f; // of a circle; 0 for a polygon
-    float reach = 0.0f;  // distance from `centre` to the farthest point: the bounding circle of SPEC C2
+    std::uint32_t first = 0;    // of its corners and outward normals in the pool; normal i is of edge i to i + 1
+    std::uint16_t count = 0;    // of corners, counter-clockwise
+    std::uint8_t ghosts = 0;    // kGhostBefore, kGhostAfter: where the chain comes from and goes on, after the corners
+    Vec2 centre;                // of the circle, or of the corners' bounds
+    float radius = 0.0f;        // metres of skin: of a circle all of it, of most polygons none
+    float reach = 0.0f;         // distance from `centre` to the farthest point: the bounding circle of SPEC C2
 };
+
+inline constexpr std::uint8_t kGhostBefore = 1, kGhostAfter = 2;
+inline constexpr std::uint32_t kGhosts = 2; // places of a chain's piece in the pool, after its corners
 
 using Part = std::vector<std::uint32_t>; // a convex part of a polygon, by the numbers of its corners
 
 struct Shapes { // State: rows by slot
     Slots slots;
     std::vector<Shape> rows;
-    std::vector<std::vector<Vec2>> corners; // polygon: as given, counter-clockwise, before `local`
+    std::vector<std::vector<Vec2>> corners; // before `local`; polygon: counter-clockwise; line: two; chain: its points
     std::vector<std::vector<Part>> parts;   // polygon: how it splits
     Slots piece_slots;
     std::vector<Piece> pieces;
@@ -58,7 +64,16 @@ inline std::span<const Vec2> normals_of(const Shapes& s, const Piece& p) {
     return {s.normals.data() + p.first, p.count};
 }
 
-// A polygon's corners (counter-clockwise, already checked) and parts, or a circle, as a new row without a body.
+// Places in the pool that a piece takes.
+inline std::uint32_t room_of(const Piece& p, ShapeKind kind) {
+    return kind == ShapeKind::chain ? p.count + kGhosts : p.count;
+}
+
+// How many pieces a shape with these corners and parts has, and how many corners has each.
+std::size_t piece_count(const Shape& shape, std::span<const Vec2> corners, std::span<const Part> parts);
+std::uint16_t corner_count(const Shape& shape, std::span<const Part> parts, std::size_t piece);
+
+// A shape (its corners already checked) as a new row without a body.
 std::uint32_t add_shape_row(Shapes& shapes, const Shape& shape, std::vector<Vec2> corners, std::vector<Part> parts);
 void remove_shape_row(Shapes& shapes, std::uint32_t shape);
 

@@ -34,7 +34,7 @@ from evilengine.world.body import Body, Shape
 from evilengine.world.contacts import Contact
 from evilengine.world.forces import ConstantForce, Drag, Force, Gravity, Medium, Pull, Spring
 from evilengine.world.queries import RayHit
-from evilengine.world.shapes import Circle, Particle, Polygon, Rectangle, Triangle
+from evilengine.world.shapes import Capsule, Chain, Circle, Particle, Polygon, Rectangle, Segment, Triangle
 from evilengine.world.world import World
 
 if TYPE_CHECKING:
@@ -47,6 +47,8 @@ __all__ = [
     "ArgumentTypeError",
     "AssetError",
     "Body",
+    "Capsule",
+    "Chain",
     "Circle",
     "ConstantForce",
     "Contact",
@@ -66,6 +68,7 @@ __all__ = [
     "RayHit",
     "Rectangle",
     "SaveError",
+    "Segment",
     "ShaderError",
     "Shape",
     "ShapeError",

@@ -28,10 +28,22 @@ class ShapeSpec:
     def particle(arg: float, /) -> ShapeSpec: ...
 
     @staticmethod
-    def polygon(arg0: object, arg1: str, /) -> ShapeSpec: ...
+    def polygon(corners: object, owner: str, rounding: float = 0.0) -> ShapeSpec: ...
+
+    @staticmethod
+    def line(arg0: object, arg1: object, arg2: float, arg3: str, /) -> ShapeSpec: ...
+
+    @staticmethod
+    def chain(arg0: object, arg1: bool, arg2: str, /) -> ShapeSpec: ...
 
     @property
     def corners(self) -> tuple[evilengine.values.vec2.Vec2, ...]: ...
+
+    @property
+    def drawn(self) -> tuple[evilengine.values.vec2.Vec2, ...]: ...
+
+    @property
+    def area(self) -> float: ...
 
 class Shape:
     """Reference to a shape on a body."""
@@ -89,7 +101,7 @@ class Shape:
     @property
     def outline(self) -> tuple[Any, ...]:
         """
-        In the body's frame: ('circle', centre, radius), ('polygon', corners) or ('particle', centre).
+        In the body's frame: ('circle', centre, radius), ('polygon', corners), ('rounded', corners of its core, radius), ('capsule', ends, radius), ('segment', ends), ('chain', points, loop) or ('particle', centre).
         """
 
     @property
@@ -962,6 +974,8 @@ class Scene:
 
     @property
     def mesh_count(self) -> int: ...
+
+    def add_definition(self, spec: ShapeSpec, speck: float, body: tuple[int, int] | None = None, texture_points: object | None = None, colours: object | None = None) -> tuple[int, int]: ...
 
     def add_polygon(self, corners: object, body: tuple[int, int] | None = None, texture_points: object | None = None, colours: object | None = None) -> tuple[int, int]: ...
 

@@ -19,7 +19,7 @@ from evilengine.values.errors import ArgumentError, ArgumentTypeError
 from evilengine.values.frame import FrameTimes
 from evilengine.values.vec2 import Point
 from evilengine.world.body import Body, Shape
-from evilengine.world.shapes import Circle, PolygonLike, ShapeDefinition, to_shape
+from evilengine.world.shapes import PolygonLike, ShapeDefinition, to_shape
 from evilengine.world.world import World
 
 Textures: TypeAlias = Callable[[str], int]
@@ -272,18 +272,17 @@ class Scene:
         texture_points: Sequence[Point] | None,
         colours: Sequence[int] | None,
     ) -> tuple[int, int]:
-        round_or_speck = (
-            shape.outline[0] != "polygon" if isinstance(shape, Shape) else not isinstance(shape, PolygonLike)
-        )
-        if round_or_speck and (colours is not None or texture_points is not None):
+        if isinstance(shape, Shape):
+            cornered = shape.outline[0] == "polygon"
+        else:
+            cornered = isinstance(shape, PolygonLike) and not shape.rounding
+        if not cornered and (colours is not None or texture_points is not None):
             word = "colours" if colours is not None else "texture_points"
             raise ArgumentError(f"Scene.add: {word} are one for each corner, and {shape!r} has none")
         if isinstance(shape, Shape):
             return self._core.add_shape(self.world._core, shape.slot, SPECK, texture_points, colours)
         follows = None if body is None else (body.slot, body.generation)
-        if isinstance(shape, PolygonLike):
-            return self._core.add_polygon(shape.corners, follows, texture_points, colours)
-        return self._core.add_circle(shape.radius if isinstance(shape, Circle) else SPECK, follows)
+        return self._core.add_definition(shape._spec, SPECK, follows, texture_points, colours)
 
     def _palette_colour(self, body: Body | None) -> Colour:
         """The next colour; a body with several shapes has one, and what stands still is of stone."""

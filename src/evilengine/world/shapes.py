@@ -19,7 +19,8 @@ MAX_SIZE = 1e5
 
 
 class ShapeDefinition:
-    """What all shapes have in common. Make one of its kinds: Circle, Rectangle, Triangle, Polygon, Particle."""
+    """What all shapes have in common. Make one of its kinds: Circle, Rectangle, Triangle, Polygon, Capsule, Segment,
+    Chain, Particle."""
 
     __slots__ = ("_spec",)
     _spec: _core.ShapeSpec
@@ -47,14 +48,18 @@ class ShapeDefinition:
         """What makes the same shape again."""
         return self._key()
 
+    def _options(self) -> dict[str, object]:
+        """The keyword arguments among them."""
+        return {}
+
     def __copy__(self) -> Self:
         return self
 
     def __deepcopy__(self, memo: object) -> Self:
         return self
 
-    def __reduce__(self) -> tuple[type[ShapeDefinition], tuple[object, ...]]:
-        return type(self), self._arguments()
+    def __reduce__(self) -> tuple[object, ...]:
+        return _make_again, (type(self), self._arguments(), self._options())
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({', '.join(f'{value:g}' for value in self._key())})"
@@ -84,29 +89,44 @@ class Circle(ShapeDefinition):
 
 
 class PolygonLike(ShapeDefinition):
-    """A shape with corners."""
+    """A shape with corners, which `rounding` metres may be rounded off."""
 
-    __slots__ = ()
+    __slots__ = ("_corners", "rounding")
+    _corners: tuple[Vec2, ...]
+    rounding: float
 
     @property
     def corners(self) -> tuple[Vec2, ...]:
-        """The corners, counter-clockwise, in the shape's own frame (metres, float32 as the engine keeps them)."""
-        return self._spec.corners
+        """The corners before rounding, counter-clockwise, in the shape's own frame (metres, float32 as the engine
+        keeps them)."""
+        return self._corners
 
     @property
     def area(self) -> float:
         """Square metres."""
-        corners = self.corners
-        return 0.5 * sum(p.cross(q) for p, q in zip(corners, corners[1:] + corners[:1], strict=True))
+        return self._spec.area
+
+    def _key(self) -> tuple[object, ...]:
+        return self.corners, self.rounding
+
+    def _options(self) -> dict[str, object]:
+        return {"rounding": self.rounding} if self.rounding else {}
+
+    def _written(self, arguments: str) -> str:
+        rounding = f", rounding={self.rounding:g}" if self.rounding else ""
+        return f"{type(self).__name__}({arguments}{rounding})"
 
 
 class Rectangle(PolygonLike):
-    """A rectangle with its centre at the origin. `width` and `height` in metres, 0.0001 to 100000.
+    """A rectangle with its centre at the origin. `width` and `height` in metres, 0.0001 to 100000. `rounding` is the
+    radius of its corners, at most half the shorter side; the sides keep their length.
 
-    Raises ShapeError for other sides.
+    Raises ShapeError for other sides or roundings.
 
     >>> Rectangle(2, 1).corners
     (Vec2(-1.0, -0.5), Vec2(1.0, -0.5), Vec2(1.0, 0.5), Vec2(-1.0, 0.5))
+    >>> round(Rectangle(1, 1, rounding=0.5).area, 4)  # a circle
+    0.7854
     """
 
     __slots__ = ("height", "width")
@@ -114,25 +134,41 @@ class Rectangle(PolygonLike):
     height: float
 
     @known_keywords
-    def __init__(self, width: float, height: float) -> None:
+    def __init__(self, width: float, height: float, *, rounding: float = 0.0) -> None:
         width = number(width, "Rectangle", "width", least=MIN_SIZE, most=MAX_SIZE, error=ShapeError)
         height = number(height, "Rectangle", "height", least=MIN_SIZE, most=MAX_SIZE, error=ShapeError)
+        most = 0.5 * min(width, height)
+        rounding = number(rounding, "Rectangle", "rounding", least=0.0, most=most, error=ShapeError)
         x, y = 0.5 * width, 0.5 * height
-        spec = _core.ShapeSpec.polygon(((-x, -y), (x, -y), (x, y), (-x, y)), "Rectangle")
-        self._become(width=width, height=height, _spec=spec)
+        sharp = _core.ShapeSpec.polygon(((-x, -y), (x, -y), (x, y), (-x, y)), "Rectangle")
+        spec = _rounded_rectangle(x, y, rounding) if rounding else sharp
+        self._become(width=width, height=height, rounding=rounding, _corners=sharp.corners, _spec=spec)
 
     def _arguments(self) -> tuple[object, ...]:
         return self.width, self.height
 
     def __repr__(self) -> str:
-        return f"Rectangle({self.width:g}, {self.height:g})"
+        return self._written(f"{self.width:g}, {self.height:g}")
+
+
+def _rounded_rectangle(x: float, y: float, rounding: float) -> _core.ShapeSpec:
+    """Half sides x and y; where nothing is left between two skins it is a capsule or a circle."""
+    core_x, core_y = x - rounding, y - rounding
+    if max(core_x, core_y) < MIN_SIZE:
+        return _core.ShapeSpec.circle(rounding)
+    if core_y < MIN_SIZE:
+        return _core.ShapeSpec.line((-core_x, 0.0), (core_x, 0.0), rounding, "Rectangle")
+    if core_x < MIN_SIZE:
+        return _core.ShapeSpec.line((0.0, -core_y), (0.0, core_y), rounding, "Rectangle")
+    return _core.ShapeSpec.polygon(((-x, -y), (x, -y), (x, y), (-x, y)), "Rectangle", rounding)
 
 
 class Polygon(PolygonLike):
     """Any simple polygon: three corners or more, in order, either way round, convex or not.
 
-    A concave one is split into convex parts for collisions; it stays one shape. Raises ShapeError when corners repeat,
-    edges cross, or the area is zero.
+    A concave one is split into convex parts for collisions; it stays one shape. `rounding` is the radius of the corners
+    that point outward; the edges stay where they are. Raises ShapeError when corners repeat, edges cross, the area is
+    zero, or the rounding leaves nothing of an edge.
 
     >>> Polygon([(0, 0), (1, 0), (0, 1)]).area
     0.5
@@ -141,23 +177,24 @@ class Polygon(PolygonLike):
     __slots__ = ()
 
     @known_keywords
-    def __init__(self, corners: Iterable[Point]) -> None:
+    def __init__(self, corners: Iterable[Point], *, rounding: float = 0.0) -> None:
+        owner = type(self).__name__
         if not isinstance(corners, Iterable):
             raise ArgumentTypeError(f"Polygon({corners!r}): needs a list of points, such as [(0, 0), (1, 0), (0, 1)]")
-        self._become(_spec=_core.ShapeSpec.polygon(tuple(corners), type(self).__name__))
-
-    def _key(self) -> tuple[object, ...]:
-        return self.corners
+        rounding = number(rounding, owner, "rounding", least=0.0, most=MAX_SIZE, error=ShapeError)
+        sharp = _core.ShapeSpec.polygon(tuple(corners), owner)
+        spec = _core.ShapeSpec.polygon(sharp.corners, owner, rounding) if rounding else sharp
+        self._become(rounding=rounding, _corners=sharp.corners, _spec=spec)
 
     def _arguments(self) -> tuple[object, ...]:
         return (self.corners,)
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}([{', '.join(f'({x:g}, {y:g})' for x, y in self.corners)}])"
+        return self._written(f"[{_points(self.corners)}]")
 
 
 class Triangle(Polygon):
-    """Three corners, either way round.
+    """Three corners, either way round. `rounding` as of a Polygon.
 
     >>> Triangle((0, 0), (1, 0), (0, 1)).area
     0.5
@@ -166,14 +203,101 @@ class Triangle(Polygon):
     __slots__ = ()
 
     @known_keywords
-    def __init__(self, a: Point, b: Point, c: Point) -> None:
-        super().__init__([to_vec2(p, "Triangle", name) for p, name in ((a, "a"), (b, "b"), (c, "c"))])
+    def __init__(self, a: Point, b: Point, c: Point, *, rounding: float = 0.0) -> None:
+        corners = [to_vec2(p, "Triangle", name) for p, name in ((a, "a"), (b, "b"), (c, "c"))]
+        super().__init__(corners, rounding=rounding)
 
     def _arguments(self) -> tuple[object, ...]:
         return self.corners
 
     def __repr__(self) -> str:
-        return f"Triangle({', '.join(f'({x:g}, {y:g})' for x, y in self.corners)})"
+        return self._written(_points(self.corners))
+
+
+class Capsule(ShapeDefinition):
+    """A segment from `a` to `b` with everything within `radius` metres of it: a pill, an arm, a rounded bar.
+
+    Raises ShapeError for a radius outside 0.0001 to 100000, or for ends nearer than 0.0001 metres.
+
+    >>> Capsule((-1, 0), (1, 0), 0.5).b
+    Vec2(1.0, 0.0)
+    """
+
+    __slots__ = ("a", "b", "radius")
+    a: Vec2
+    b: Vec2
+    radius: float
+
+    @known_keywords
+    def __init__(self, a: Point, b: Point, radius: float) -> None:
+        radius = number(radius, "Capsule", "radius", least=MIN_SIZE, most=MAX_SIZE, error=ShapeError)
+        spec = _core.ShapeSpec.line(a, b, radius, "Capsule")
+        self._become(a=spec.corners[0], b=spec.corners[1], radius=radius, _spec=spec)
+
+    @property
+    def area(self) -> float:
+        """Square metres."""
+        return self._spec.area
+
+    def __repr__(self) -> str:
+        return f"Capsule({_points((self.a, self.b))}, {self.radius:g})"
+
+
+class Segment(ShapeDefinition):
+    """A straight line from `a` to `b` without thickness, solid from both sides: a floor, a plank. It weighs like a rod
+    a centimetre thick.
+
+    Raises ShapeError for ends nearer than 0.0001 metres.
+
+    >>> Segment((-5, 0), (5, 0)).a
+    Vec2(-5.0, 0.0)
+    """
+
+    __slots__ = ("a", "b")
+    a: Vec2
+    b: Vec2
+
+    @known_keywords
+    def __init__(self, a: Point, b: Point) -> None:
+        spec = _core.ShapeSpec.line(a, b, 0.0, "Segment")
+        self._become(a=spec.corners[0], b=spec.corners[1], _spec=spec)
+
+    def __repr__(self) -> str:
+        return f"Segment({_points((self.a, self.b))})"
+
+
+class Chain(ShapeDefinition):
+    """A path of segments through `points`, solid from both sides: the ground of a level. What slides along it does not
+    feel where two segments meet. `loop=True` joins the last point to the first. It weighs like a rod a centimetre
+    thick.
+
+    Raises ShapeError for fewer than two points (three in a loop) or neighbours nearer than 0.0001 metres.
+
+    >>> Chain([(-5, 0), (0, 0), (5, 1)]).points[2]
+    Vec2(5.0, 1.0)
+    """
+
+    __slots__ = ("loop", "points")
+    points: tuple[Vec2, ...]
+    loop: bool
+
+    @known_keywords
+    def __init__(self, points: Iterable[Point], *, loop: bool = False) -> None:
+        if not isinstance(points, Iterable):
+            raise ArgumentTypeError(f"Chain({points!r}): needs a list of points, such as [(0, 0), (1, 0), (2, 1)]")
+        if not isinstance(loop, bool):
+            raise ArgumentTypeError(f"Chain: loop={loop!r} must be True or False")
+        spec = _core.ShapeSpec.chain(tuple(points), loop, "Chain")
+        self._become(points=spec.corners, loop=loop, _spec=spec)
+
+    def _arguments(self) -> tuple[object, ...]:
+        return (self.points,)
+
+    def _options(self) -> dict[str, object]:
+        return {"loop": True} if self.loop else {}
+
+    def __repr__(self) -> str:
+        return f"Chain([{_points(self.points)}]{', loop=True' if self.loop else ''})"
 
 
 class Particle(ShapeDefinition):
@@ -195,7 +319,17 @@ class Particle(ShapeDefinition):
         return f"Particle(mass={self.mass:g})"
 
 
-AnyShape: TypeAlias = Circle | Rectangle | Triangle | Polygon | Particle
+AnyShape: TypeAlias = Circle | Rectangle | Triangle | Polygon | Capsule | Segment | Chain | Particle
+
+
+def _make_again(
+    kind: type[ShapeDefinition], arguments: tuple[object, ...], options: dict[str, object]
+) -> ShapeDefinition:
+    return kind(*arguments, **options)
+
+
+def _points(points: Iterable[Vec2]) -> str:
+    return ", ".join(f"({x:g}, {y:g})" for x, y in points)
 
 
 def to_shape(value: object, owner: str, argument: str = "shape") -> ShapeDefinition:
