@@ -66,6 +66,18 @@ void unlink_shape(World& world, std::uint32_t body, std::uint32_t shape) {
     if (b.last_shape == shape) b.last_shape = before;
 }
 
+// A shape on a body whose mass does not know of it yet.
+std::uint32_t attach_shape(World& world, std::uint32_t body, const NewShape& shape) {
+    Shape row = shape.shape;
+    row.body = body;
+    row.born = world.steps;
+    row.made = fingerprint(shape);
+    std::uint32_t slot = add_shape_row(world.shapes, row, shape.corners, shape.parts);
+    link_shape(world, body, slot);
+    bake(world.shapes, slot, world.bodies.rows[body].scale);
+    return slot;
+}
+
 void bake_all(World& world, std::uint32_t body) {
     const Body& b = world.bodies.rows[body];
     for (std::uint32_t s = b.first_shape; s != kNone; s = world.shapes.rows[s].next) bake(world.shapes, s, b.scale);
@@ -112,15 +124,14 @@ Added<BodyRef> add_body(World& world, const Body& body, const std::string& tag, 
     b.first_shape = b.last_shape = kNone;
     b.mass = b.set_mass > 0.0f ? b.set_mass : 1.0f;
     place_by_origin(b);
-    (void)update_mass(world, slot); // a body without shapes has no problem with mass
     grow_results(world);
-    show_at_once(world, slot);
-    for (const NewShape& shape : shapes) {
-        MassProblem problem = add_shape(world, slot, shape).problem;
-        if (problem == MassProblem::none) continue;
+    for (const NewShape& shape : shapes) attach_shape(world, slot, shape);
+    MassProblem problem = update_mass(world, slot);
+    if (problem != MassProblem::none) {
         take_back(world, slot);
         return {{}, problem};
     }
+    show_at_once(world, slot);
     return {{slot, bodies.slots.generation(slot)}};
 }
 
@@ -150,14 +161,8 @@ void take_back(World& world, std::uint32_t slot) {
 }
 
 Added<ShapeRef> add_shape(World& world, std::uint32_t body, const NewShape& shape) {
-    Shape row = shape.shape;
-    row.body = body;
-    row.born = world.steps;
-    row.made = fingerprint(shape);
     std::uint64_t serial = world.shapes.next_serial;
-    std::uint32_t slot = add_shape_row(world.shapes, row, shape.corners, shape.parts);
-    link_shape(world, body, slot);
-    bake(world.shapes, slot, world.bodies.rows[body].scale);
+    std::uint32_t slot = attach_shape(world, body, shape);
     MassProblem problem = update_mass(world, body);
     if (problem != MassProblem::none) {
         unlink_shape(world, body, slot);

@@ -10,6 +10,9 @@ void register_events(nb::module_& module, nb::class_<World>& world);
 NewShape used(const NewShape& spec, nb::handle offset, double angle, float density, float friction, float restitution);
 void bind_queries(nb::module_& module, nb::class_<World>& world);
 
+void register_adding(nb::module_& module, nb::class_<World>& world);
+void register_bulk(nb::module_& module, nb::class_<World>& world);
+
 void raise_mass(MassProblem problem, const char* owner) {
     const char* what =
         problem == MassProblem::too_small ? "less than 1e-12 kg" : "more than 1e12 kg, or turns too heavily";
@@ -69,17 +72,6 @@ Floats from_affine(const Affine& m) {
 }
 
 namespace {
-
-struct BodySpec { // what add() was given; numbers are checked by the face, which knows their names
-    Body row;
-    std::string tag;
-};
-
-std::uint32_t add(World& world, const BodySpec& spec, const std::vector<NewShape>& shapes) {
-    Added<BodyRef> added = add_body(world, spec.row, spec.tag, shapes);
-    if (added.problem != MassProblem::none) raise_mass(added.problem, "World.add()");
-    return added.ref.slot;
-}
 
 View view_of(const World& w, std::vector<float> Arrays::* values, Py_ssize_t columns) {
     return {w.arrays, (*w.arrays).*values, static_cast<Py_ssize_t>(w.bodies.slots.size()), columns};
@@ -165,41 +157,7 @@ std::uint32_t add_force_of(World& w, int kind, bool everywhere, nb::handle vecto
     return add_force(w, std::move(f), std::move(where)).slot;
 }
 
-void bind_spec(nb::module_& module) {
-    nb::class_<BodySpec> c(module, "BodySpec", "What a new body shall be.");
-    c.def(
-        "__init__",
-        [](BodySpec* self, int kind, nb::handle at, double angle, nb::handle velocity, float spin, float damping,
-           float angular_damping, float drag, float gravity_scale, float density, float friction, float restitution,
-           float mass, bool bullet, bool touchable, std::string tag) {
-            BodySpec s;
-            Body& b = s.row;
-            b.kind = static_cast<BodyKind>(kind);
-            b.pose.p = to_vec2(at, "World.add()", "at");
-            b.angle = angle;
-            b.velocity = to_vec2(velocity, "World.add()", "velocity");
-            b.spin = spin;
-            b.damping = damping;
-            b.angular_damping = angular_damping;
-            b.drag = drag;
-            b.gravity_scale = gravity_scale;
-            b.density = density;
-            b.friction = friction;
-            b.restitution = restitution;
-            b.set_mass = mass;
-            b.bullet = bullet;
-            b.touchable = touchable;
-            s.tag = std::move(tag);
-            new (self) BodySpec(std::move(s));
-        },
-        nb::kw_only(), nb::arg("kind"), nb::arg("at"), nb::arg("angle"), nb::arg("velocity"), nb::arg("spin"),
-        nb::arg("damping"), nb::arg("angular_damping"), nb::arg("drag"), nb::arg("gravity_scale"), nb::arg("density"),
-        nb::arg("friction"), nb::arg("restitution"), nb::arg("mass"), nb::arg("bullet"), nb::arg("touchable"),
-        nb::arg("tag"));
-}
-
 void bind_objects(nb::class_<World>& c) {
-    c.def("add", add, nb::arg("spec"), nb::arg("shapes"));
     c.def("add_shape", [](World& w, const BodyHandle& body, const NewShape& shape) {
         require_alive(body);
         Added<ShapeRef> added = add_shape(w, body.ref.slot, shape);
@@ -236,7 +194,6 @@ void bind_objects(nb::class_<World>& c) {
 } // namespace
 
 void register_world(nb::module_& module) {
-    bind_spec(module);
     module.def("use", used, nb::arg("spec"), nb::arg("offset"), nb::arg("angle"), nb::arg("density"),
                nb::arg("friction"), nb::arg("restitution"), "A shape with the place and material of one use.");
     nb::class_<World> c(module, "World", "The simulation's state and kernels.");
@@ -261,6 +218,8 @@ void register_world(nb::module_& module) {
     c.def_ro("steps", &World::steps);
     c.def_ro("time", &World::time);
     bind_objects(c);
+    register_adding(module, c);
+    register_bulk(module, c);
     register_events(module, c);
     c.def_prop_ro("positions", [](const World& w) { return view_of(w, &Arrays::positions, 2); });
     c.def_prop_ro("angles", [](const World& w) { return view_of(w, &Arrays::angles, 1); });

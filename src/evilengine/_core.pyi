@@ -111,11 +111,6 @@ class Shape:
 
     def _destroy(self) -> None: ...
 
-class BodySpec:
-    """What a new body shall be."""
-
-    def __init__(self, *, kind: int, at: object, angle: float, velocity: object, spin: float, damping: float, angular_damping: float, drag: float, gravity_scale: float, density: float, friction: float, restitution: float, mass: float, bullet: bool, touchable: bool, tag: str) -> None: ...
-
 def use(spec: ShapeSpec, offset: object, angle: float, density: float, friction: float, restitution: float) -> ShapeSpec:
     """A shape with the place and material of one use."""
 
@@ -162,8 +157,6 @@ class World:
     @property
     def time(self) -> float: ...
 
-    def add(self, spec: BodySpec, shapes: Sequence[ShapeSpec]) -> int: ...
-
     def add_shape(self, arg0: Body, arg1: ShapeSpec, /) -> int: ...
 
     def material(self, arg: int, /) -> tuple[float, ...]: ...
@@ -182,6 +175,25 @@ class World:
 
     @property
     def body_count(self) -> int: ...
+
+    def add(self, recipe: Recipe, shapes: Sequence[ShapeSpec], at: object | None, angle: object | None, velocity: object | None, spin: object | None, tag: object | None) -> list[int] | None:
+        """
+        The new body's slot and generation, and its shapes' keys; None where an argument is not plain.
+        """
+
+    def add_many(self, recipe: Recipe, shapes: Sequence[ShapeSpec], positions: object | None, angles: object | None, velocities: object | None, spins: object | None, tag: str) -> tuple[BodyRefs, list[int]]: ...
+
+    def set_positions(self, values: object | None, indices: object | None) -> None: ...
+
+    def set_angles(self, values: object | None, indices: object | None) -> None: ...
+
+    def set_velocities(self, values: object | None, indices: object | None) -> None: ...
+
+    def set_spins(self, values: object | None, indices: object | None) -> None: ...
+
+    def apply_forces(self, values: object | None, indices: object | None, points: object | None) -> None: ...
+
+    def apply_impulses(self, values: object | None, indices: object | None, points: object | None) -> None: ...
 
     @property
     def begun(self) -> Touches: ...
@@ -244,6 +256,21 @@ class World:
     def checksum(self) -> int: ...
 
     def sums(self) -> tuple[int, int, int]: ...
+
+class Recipe:
+    """What new bodies shall be, wherever they are. The face has checked it."""
+
+    def __init__(self, *, kind: int, density: float, mass: float, friction: float, restitution: float, damping: float, angular_damping: float, drag: float, gravity_scale: float, bullet: bool, touchable: bool) -> None: ...
+
+def identical(a: tuple, b: tuple) -> bool:
+    """The same objects in the same order?"""
+
+class BodyRefs:
+    """References to many bodies; a buffer of slots."""
+
+    def __len__(self) -> int: ...
+
+    def __getitem__(self, arg: int, /) -> tuple[int, int]: ...
 
 class Column:
     """

@@ -107,9 +107,13 @@ def known_keywords(function: Callable[P, R]) -> Callable[P, R]:
 
     @functools.wraps(function)
     def checked(*args: P.args, **kwargs: P.kwargs) -> R:
-        if kwargs and not kwargs.keys() <= words:
-            refuse_unknown(name, known, kwargs)
-        return function(*args, **kwargs)
+        try:
+            return function(*args, **kwargs)
+        except TypeError:  # by an unknown word, before the function began; or one of its own, which goes on
+            if kwargs.keys() <= words:
+                raise
+        refuse_unknown(name, known, kwargs)
+        raise AssertionError("one of the words was unknown")
 
     return checked
 

@@ -37,7 +37,7 @@ class Body(_core.Body):
     """
 
     def __init__(self, world: World, slot: int, generation: int) -> None:
-        super().__init__(world._core, slot, generation)
+        _core.Body.__init__(self, world._core, slot, generation)
         self._world = world
         self._callbacks: dict[str, Callbacks[...]] = {}
 
@@ -124,7 +124,8 @@ class Body(_core.Body):
             else number(restitution, "Body.add_shape", "restitution", least=0.0, most=1.0),
         )
         slot = self._world._core.add_shape(self, used)
-        return self._world._shape(slot, definition=shape)
+        self._world._definitions[slot] = shape
+        return self._world._shape(slot)
 
     # -- forces --
 

@@ -36,6 +36,7 @@ def become(world: World, saved: _core.Saved) -> None:
         world._handles.pop(slot, None)
     for slot in shapes:
         world._shape_handles.pop(slot, None)
+        world._definitions.pop(slot, None)
     world._motions = {slot: pair for slot, pair in world._motions.items() if pair[0].alive}
 
 

@@ -1,0 +1,12 @@
+#pragma once
+// Many bodies as Python holds them: references of which handles are made when they are asked for.
+#include "bind/handle.hpp"
+
+namespace evil::bind {
+
+struct BodyRefs {
+    std::vector<BodyRef> refs;
+    std::vector<std::uint32_t> slots; // as a buffer; filled when it is first looked at
+};
+
+} // namespace evil::bind
