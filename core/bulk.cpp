@@ -86,7 +86,7 @@ void set_spins(World& world, std::span<const std::uint32_t> bodies, std::span<co
 }
 
 void push_bodies(World& world, std::span<const std::uint32_t> bodies, std::span<const Vec2> forces,
-                  std::span<const Vec2> points) {
+                 std::span<const Vec2> points) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         Body& b = world.bodies.rows[bodies[i]];
         b.force = clamped(b.force + forces[i], kMaxForce);
@@ -96,12 +96,11 @@ void push_bodies(World& world, std::span<const std::uint32_t> bodies, std::span<
 }
 
 void kick_bodies(World& world, std::span<const std::uint32_t> bodies, std::span<const Vec2> impulses,
-                    std::span<const Vec2> points) {
+                 std::span<const Vec2> points) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         Body& b = world.bodies.rows[bodies[i]];
         b.velocity = clamped(b.velocity + b.inv_mass * impulses[i], kMaxSpeed);
-        b.spin =
-            clamped(b.spin + b.inv_inertia * cross(point_of(b, points, i) - b.centre, impulses[i]), kMaxSpin);
+        b.spin = clamped(b.spin + b.inv_inertia * cross(point_of(b, points, i) - b.centre, impulses[i]), kMaxSpin);
         wake(world, bodies[i]);
         publish(world, bodies[i]);
     }

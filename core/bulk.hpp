@@ -30,8 +30,8 @@ void set_spins(World& world, std::span<const std::uint32_t> bodies, std::span<co
 
 // A body that is named twice is pushed twice. Without `points`, at the centre of mass.
 void push_bodies(World& world, std::span<const std::uint32_t> bodies, std::span<const Vec2> forces,
-                  std::span<const Vec2> points);
+                 std::span<const Vec2> points);
 void kick_bodies(World& world, std::span<const std::uint32_t> bodies, std::span<const Vec2> impulses,
-                    std::span<const Vec2> points);
+                 std::span<const Vec2> points);
 
 } // namespace evil

@@ -158,7 +158,9 @@ def test_all_bodies_are_written_by_a_row_for_each_slot(world, balls):
     assert world.bodies.positions[2] == evil.Vec2(6, 5)
 
 
-@pytest.mark.parametrize("indices", [[2, 0], (2, 0), np.array([2, 0]), np.array([2, 0], np.uint8), array.array("l", [2, 0])])
+@pytest.mark.parametrize(
+    "indices", [[2, 0], (2, 0), np.array([2, 0]), np.array([2, 0], np.uint8), array.array("l", [2, 0])]
+)
 def test_bodies_are_named_by_slots_of_any_kind(world, balls, indices):
     world.bodies.set_velocities([(1, 0), (0, 2)], indices)
     assert [ball.velocity for ball in balls] == [(0, 2), (0, 0), (1, 0), (0, 0)]
@@ -258,7 +260,11 @@ def test_a_body_named_twice_is_pushed_twice(world, balls):
         (lambda b: b.set_angles([1, "a"], [0, 1]), ArgumentTypeError, r"values\[1\]='a' must be a number"),
         (lambda b: b.set_angles(np.zeros((1, 2)), [0, 1]), ArgumentError, "values must have one dimension"),
         (lambda b: b.set_velocities([(9, 9), (1, 1)], [0, 5]), ArgumentError, r"indices\[1\]=5 is a static body"),
-        (lambda b: b.set_angular_velocities([9, 2e4], [0, 1]), ArgumentError, r"values\[1\]=20000 must be finite and at"),
+        (
+            lambda b: b.set_angular_velocities([9, 2e4], [0, 1]),
+            ArgumentError,
+            r"values\[1\]=20000 must be finite and at",
+        ),
         (lambda b: b.apply_forces([(9, 9)], [0], [(0, 0), (1, 1)]), ArgumentError, "2 points for 1 values"),
         (lambda b: b.apply_impulses([(9, 9), (math.nan, 0)], [0, 1]), ArgumentError, r"values\[1\]="),
         (lambda b: b.apply_forces([(9, 9)], [0], points=[(0, math.nan)]), ArgumentError, r"points\[0\]="),

@@ -59,8 +59,7 @@ bool plain_text(PyObject* value, std::string& out) {
 using Numbers = nb::typed<nb::list, int>;
 
 void append_shape_slots(const World& w, std::uint32_t body, nb::list& slots) {
-    for (std::uint32_t s = w.bodies.rows[body].first_shape; s != kNone; s = w.shapes.rows[s].next)
-        slots.append(s);
+    for (std::uint32_t s = w.bodies.rows[body].first_shape; s != kNone; s = w.shapes.rows[s].next) slots.append(s);
 }
 
 Numbers numbers_of(const World& w, BodyRef ref) {
@@ -121,7 +120,7 @@ std::tuple<BodyRefs, Numbers> add_all(World& w, const Recipe& recipe, const Spec
 }
 
 // The same objects in the same order? Equal ones are not enough: True equals 1.
-bool identical(nb::tuple a, nb::tuple b) {
+bool identical(Anything a, Anything b) {
     if (a.size() != b.size()) return false;
     for (std::size_t i = 0; i < a.size(); ++i)
         if (!nb::handle(a[i]).is(b[i])) return false;

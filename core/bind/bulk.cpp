@@ -11,11 +11,14 @@ int get_buffer(PyObject* self, Py_buffer* buffer, int flags) {
     BodyRefs* refs = nb::inst_ptr<BodyRefs>(self);
     if (refs->slots.empty())
         for (BodyRef ref : refs->refs) refs->slots.push_back(ref.slot);
-    int failed = PyBuffer_FillInfo(buffer, self, refs->slots.data(),
-                                   static_cast<Py_ssize_t>(refs->slots.size() * sizeof(std::uint32_t)), 1, flags);
+    refs->count = static_cast<Py_ssize_t>(refs->slots.size());
+    auto bytes = refs->count * static_cast<Py_ssize_t>(sizeof(std::uint32_t));
+    int failed = PyBuffer_FillInfo(buffer, self, refs->slots.data(), bytes, 1, flags);
     if (failed) return failed;
     buffer->itemsize = sizeof(std::uint32_t);
     if (flags & PyBUF_FORMAT) buffer->format = const_cast<char*>("I");
+    if (flags & PyBUF_ND) buffer->shape = &refs->count;
+    if ((flags & PyBUF_STRIDES) == PyBUF_STRIDES) buffer->strides = &refs->stride;
     return 0;
 }
 

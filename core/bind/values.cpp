@@ -90,16 +90,16 @@ std::string text_of(Vec2 value) {
 
 void check_kind(const Buffer& buffer, bool good, const char* owner, const char* argument, const char* wanted) {
     if (!good)
-        raise(ErrorKind::argument_type, name_of(owner, argument) + " is a buffer of format '" + buffer.format() +
-                                            "'; it must be of " + wanted);
+        raise(ErrorKind::argument_type,
+              name_of(owner, argument) + " is a buffer of format '" + buffer.format() + "'; it must be of " + wanted);
 }
 
 Py_ssize_t length_of(nb::handle values, const char* owner, const char* argument, const char* wanted) {
     Py_ssize_t n = is_text(values) || !PySequence_Check(values.ptr()) ? -1 : PySequence_Size(values.ptr());
     PyErr_Clear();
     if (n < 0)
-        raise(ErrorKind::argument_type, name_of(owner, argument) + " must be " + wanted + "; got " +
-                                            nb::type_name(values.type()).c_str());
+        raise(ErrorKind::argument_type,
+              name_of(owner, argument) + " must be " + wanted + "; got " + nb::type_name(values.type()).c_str());
     return n;
 }
 

@@ -178,7 +178,7 @@ class World:
 
     def add(self, recipe: Recipe, shapes: Sequence[ShapeSpec], at: object | None, angle: object | None, velocity: object | None, spin: object | None, tag: object | None) -> list[int] | None:
         """
-        The new body's slot and generation, and its shapes' keys; None where an argument is not plain.
+        The new body's slot and generation, and its shapes' slots; None where an argument is not plain.
         """
 
     def add_many(self, recipe: Recipe, shapes: Sequence[ShapeSpec], positions: object | None, angles: object | None, velocities: object | None, spins: object | None, tag: str) -> tuple[BodyRefs, list[int]]: ...
@@ -262,7 +262,7 @@ class Recipe:
 
     def __init__(self, *, kind: int, density: float, mass: float, friction: float, restitution: float, damping: float, angular_damping: float, drag: float, gravity_scale: float, bullet: bool, touchable: bool) -> None: ...
 
-def identical(a: tuple, b: tuple) -> bool:
+def identical(a: tuple[Any, ...], b: tuple[Any, ...]) -> bool:
     """The same objects in the same order?"""
 
 class BodyRefs:

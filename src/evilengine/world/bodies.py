@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 Buffer: TypeAlias = Any
-"""Whatever Python's buffer protocol can look into: NumPy's arrays, `array.array`, a memoryview, the world's own views."""
+"""What Python's buffer protocol can look into: NumPy's arrays, `array.array`, a memoryview, the world's own views."""
 
 Points: TypeAlias = Buffer | Sequence[Point]
 Numbers: TypeAlias = Buffer | Sequence[float]
@@ -105,8 +105,8 @@ class Bodies:
 
     # -- writing many at once --
     #
-    # `values` are as many as `indices`, or, without them, a row for each slot, as the arrays above have. A value that is
-    # what it was changes nothing and wakes nobody. All are written or, after an error, none.
+    # `values` are as many as `indices`, or, without them, a row for each slot, as the arrays above have. A value that
+    # is what it was changes nothing and wakes nobody. All are written or, after an error, none.
 
     @known_keywords
     def set_positions(self, values: Points, indices: Slots | None = None) -> None:
