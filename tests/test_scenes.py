@@ -89,6 +89,28 @@ def test_callbacks_of_a_scene_end_with_it_and_those_of_the_game_stay():
     assert len(game.world.bodies) == 3
 
 
+def test_what_the_game_was_told_before_it_began_lasts(levels):
+    game = Game("Own", size=(320, 180), headless=True, folder=levels)
+    game.world.gravity, game.tilt = (0, -2), True
+    game.camera.fit(4, 3)
+    game.add_background("navy")
+    game.load("one.evil")
+    own = game.on_key_release(lambda key: None)
+    begun = (game.camera._fit, game.scene.background)
+    assert game.world.gravity == (0, -3)
+    game.step()
+    game.on_key_release(lambda key: None)
+    game.camera.fit(9, 9)
+    game.add_background("red")
+    game.tilt = False
+    game.scenes("empty")(lambda: None)
+    game.go("empty")
+    assert (game.world.gravity, game.tilt, list(game.on_key_release)) == ((0, -2), True, [own])
+    assert (game.camera._fit, game.scene.background) == begun
+    game.go("one.evil")
+    assert game.world.gravity == (0, -3)
+
+
 def test_a_scene_asked_for_in_a_step_begins_when_the_step_is_over():
     game = make()
     seen = []

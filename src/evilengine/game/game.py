@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from evilengine.assets import Images, Pictures
 from evilengine.audio import Audio, Listener
-from evilengine.game import replaying, saving
+from evilengine.game import replaying, saving, scenes
 from evilengine.game.controls import Controls
-from evilengine.game.life import Life, Made
+from evilengine.game.life import Life
 from evilengine.game.output import SHIPPED, for_device, open_output
 from evilengine.game.screen import GameScreen
 from evilengine.game.stage import STAGE, keep_pace, open_device, script_folder, to_path
@@ -124,7 +124,6 @@ class Game(Life, GameScreen, Controls, Things):
         self._alpha = 1.0
         self._steps_made = 0  # in all scenes
         self._blank = self.world.snapshot()
-        self._made = Made(tilt, self.camera._fit)
         self._watchers: list[Callable[[Event], object]] = []  # who look on, such as the keys of `evil play`
         self._busy = ""  # inside which part of a frame a callback runs
         self._when_over: list[Callable[[], object]] = []  # what is put off until that part is over
@@ -190,6 +189,8 @@ class Game(Life, GameScreen, Controls, Things):
     def _step(self) -> None:
         if self._playback is not None and not self._playback.over:
             self._playback.catch_up()
+        if not self._steps_made:
+            scenes.begins(self)
         self._steps_made += 1
         self._busy = "a step"
         try:

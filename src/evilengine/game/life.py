@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
@@ -14,15 +14,6 @@ from evilengine.values.tick import FASTEST, SLOWEST
 
 if TYPE_CHECKING:
     from evilengine.game.game import Game
-
-
-@dataclass(frozen=True, slots=True)
-class Made:
-    """What a game was made with, and each of its scenes begins with."""
-
-    tilt: bool
-    fit: tuple[float, float] | None
-    """What the camera must show, in metres."""
 
 
 class Life:
@@ -46,9 +37,9 @@ class Life:
         """Begin another scene: one that `@game.scenes` made, with these arguments, or a level (`"level2.evil"`).
 
         Everything of the scene before is gone then: bodies, forces, drawings, texts, timers, levels, and the callbacks
-        that the game was given since its first scene began. Gravity, the camera and the background are as they were
-        when the game was made; time starts at 0. `game.random`, volumes and the keys that are held stay. `sounds` says
-        what becomes of what is heard: "stop", "music" for the music alone to play on, or "keep".
+        that the game was given since its first step. Gravity, tilt, camera and background are as they were before that;
+        time starts at 0. `game.random`, volumes and the keys that are held stay. `sounds` says what becomes of what is
+        heard: "stop", "music" for the music alone to play on, or "keep".
 
         Inside a callback of a step it happens when that is over, so nothing vanishes under anybody's hands; the last
         of several calls counts. Raises ArgumentError for a scene that does not exist, AssetError and LevelError for a
@@ -73,6 +64,10 @@ class Life:
     def restart(self, *, sounds: str = "stop") -> None:
         """Begin the present scene again, with the same arguments; a level that was loaded by itself counts as one."""
         self._visit(scenes.again(cast("Game", self), sounds))
+
+    def _note_settings(self) -> None:
+        """A level is about to change what the game was told about itself."""
+        scenes.settings_of(cast("Game", self))
 
     def _visit(self, to: scenes.Visit) -> None:
         game = cast("Game", self)

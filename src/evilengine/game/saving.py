@@ -141,7 +141,8 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
     bodies, shapes, forces = (set(slots) for slots in world.slots)
     scene = looks.SceneState(game.scene, sections["drawings"], state["scene"])
     none = _core.NO_SLOT
-    if not all(body in bodies | {none} and shape in shapes | {none} for _, body, shape in scene.places):
+    bodies_and_none, shapes_and_none = bodies | {none}, shapes | {none}
+    if not all(body in bodies_and_none and shape in shapes_and_none for _, body, shape in scene.places):
         raise ValueError("drawings on what is not there")
     events = {row[0] for row in state["timer"]["events"]}
     known = {"body": bodies, "force": forces, "drawing": scene.slots, "text": scene.texts, "event": events}

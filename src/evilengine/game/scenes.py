@@ -11,8 +11,10 @@ from typing import TYPE_CHECKING, Any, TypeVar, overload
 from evilengine.save.replay import Visited
 from evilengine.values.callbacks import Callbacks
 from evilengine.values.checks import did_you_mean, one_of
+from evilengine.values.colour import Colour
 from evilengine.values.errors import ArgumentError, ArgumentTypeError, Error
 from evilengine.values.level import LevelScript
+from evilengine.values.vec2 import Vec2
 
 if TYPE_CHECKING:
     from evilengine.game.game import Game
@@ -47,6 +49,19 @@ class Visit:
     """Was the level read from its file just now? A recording keeps it then."""
 
 
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What a game was told about itself before it began: each of its scenes begins with it."""
+
+    gravity: Vec2
+    sleep: bool
+    tilt: bool
+    background: Colour
+    camera: tuple[Vec2, float, float]
+    fit: tuple[float, float] | None
+    """What the camera must show, in metres."""
+
+
 class Scenes:
     """The scenes of a game. Calling it with a function makes that a scene, of the function's name or of one given.
 
@@ -69,7 +84,8 @@ class Scenes:
     def __init__(self) -> None:
         self._builders: dict[str, Callable[..., object]] = {}
         self._now: Visit | None = None
-        self._lasting: list[tuple[Callbacks[...], tuple[Callable[..., Any], ...]]] | None = None
+        self._settings: Settings | None = None
+        self._callbacks: list[tuple[Callbacks[...], tuple[Callable[..., Any], ...]]] | None = None
 
     @overload
     def __call__(self, scene: str) -> Callable[[F], F]: ...
@@ -181,26 +197,45 @@ def begin(game: Game, to: Visit) -> None:
         game._busy = before
 
 
+def settings_of(game: Game) -> Settings:
+    """What the game was told about itself, noted when a level is about to change it, or when the game begins."""
+    if game.scenes._settings is None:
+        camera, world = game.camera, game.world
+        game.scenes._settings = Settings(
+            world.gravity, world.sleep, game.tilt, game.scene.background,
+            (camera.position, camera.zoom, camera.angle), camera._fit,
+        )  # fmt: skip
+    return game.scenes._settings
+
+
+def begins(game: Game) -> None:
+    """The first step or the first scene: the settings and callbacks that there are now last."""
+    if game.scenes._callbacks is None:
+        settings_of(game)
+        heard = [function for level in game.levels for function in level.listening]
+        every = [each for each in vars(game).values() if isinstance(each, Callbacks)]
+        game.scenes._callbacks = [(each, tuple(f for f in each if f not in heard)) for each in every]
+
+
 def clear(game: Game, to: Visit | None) -> None:
     """Take away everything of the scene that plays, and be in `to`, empty: as the game was made.
 
-    Callbacks that the game was given before its first scene stay: they are the game's own, not a scene's.
+    What the game was told before its first step (or scene) stays: that is the game's own, not a scene's.
     """
-    scenes = game.scenes
+    scenes, camera = game.scenes, game.camera
     game._grabs.let_go()
+    begins(game)
     for level in tuple(game.levels):
         level.ignore()
-    if scenes._lasting is None:
-        every = [each for each in vars(game).values() if isinstance(each, Callbacks)]
-        scenes._lasting = [(callbacks, tuple(callbacks)) for callbacks in every]
-    for callbacks, functions in scenes._lasting:
+    for callbacks, functions in scenes._callbacks or ():
         callbacks.become(functions)
     game.world.restore(game._blank)
     game.scene.clear()
     game.timer.clear()
-    made = game._made
-    game.camera.position, game.camera.zoom, game.camera.angle, game.camera._fit = (0.0, 0.0), 1.0, 0.0, made.fit
-    game.tilt, game._tilted, game.paused, game.speed, game._alpha = made.tilt, None, False, 1.0, 1.0
+    own = settings_of(game)
+    game.world.gravity, game.world.sleep, game.scene.background = own.gravity, own.sleep, own.background
+    (camera.position, camera.zoom, camera.angle), camera._fit = own.camera, own.fit
+    game.tilt, game._tilted, game.paused, game.speed, game._alpha = own.tilt, None, False, 1.0, 1.0
     if to is None or to.sounds == "stop":
         game.audio.stop(fade=FADE)
     elif to.sounds == "music":

@@ -95,6 +95,7 @@ class Level:
     def listen(self) -> None:
         """Be told what the player does and when a picture is drawn; once is enough."""
         if self.game is not None and self not in self.game.levels:
+            self.game._note_settings()
             self.game.levels.append(self)
             self._on_failure(self.ignore)
             for callbacks, function in self._listeners(self.game):
@@ -106,6 +107,11 @@ class Level:
             self.game.levels.remove(self)
             for callbacks, function in self._listeners(self.game):
                 callbacks.remove(function)
+
+    @property
+    def listening(self) -> tuple[Callable[..., object], ...]:
+        """The functions of this level that its game calls."""
+        return () if self.game is None else tuple(function for _, function in self._listeners(self.game))
 
     def _listeners(self, game: Game) -> tuple[tuple[Callbacks[...], Callable[..., object]], ...]:
         answers = self._answers
