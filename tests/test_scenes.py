@@ -285,61 +285,6 @@ def test_a_level_that_was_loaded_by_itself_can_start_again(levels):
     assert (game.scenes.present, game.world.steps, len(game.world.bodies)) == ("one.evil", 0, 1)
 
 
-def test_a_level_goes_on_to_another_and_starts_again(levels):
-    (levels / "door.evil").write_text(
-        'on key "g" { go "two.evil"; } on key "r" { restart; pace 0.5; }\nnew circle 0.3 at 0 0 physicsOn;\n'
-        'on key "x" { go "gone.evil"; }\n'
-    )
-    (levels / "gone.evil").write_text("view 16 9;\n")
-    game = make(levels)
-    game.load("door.evil")
-    game.step(9)
-    game.device.tap("r")
-    game.step()
-    assert (game.scenes.present, game.world.steps, len(game.world.bodies), game.speed) == ("door.evil", 0, 1, 1.0)
-    (levels / "gone.evil").unlink()
-    game.device.tap("x")
-    with pytest.raises(evil.LevelError, match=r"door.evil:3:[^$]*gone.evil"):
-        game.step()
-    game.device.tap("g")
-    game.step()
-    assert game.scenes.present == "two.evil"
-
-
-@pytest.mark.parametrize(
-    ("text", "told"),
-    [
-        ("restart;", "restart stands in a block"),
-        ('go "two.evil";', "go stands in a block"),
-        ('on key "r" { go two.evil; }', "a file name stands in quotes"),
-        ('on key "r" { go "two"; }', "'two' is no level"),
-        ('on key "r" { go "twi.evil"; }', "did you mean 'two.evil'?"),
-        ('on key "r" { go "../two.evil"; }', "is not a file in the level's folder"),
-        ('on key "r" { restart 3; }', "has no place here"),
-        ("pace 9;", "pace is from 0.05 to 4"),
-        ("speed 0.5;", "did you mean 'pace'?"),
-        ("pace;", "pace needs a number"),
-    ],
-)
-def test_words_of_a_level_that_make_no_sense_are_explained(text, told, levels):
-    (levels / "bad.evil").write_text(text)
-    with pytest.raises(evil.LevelError) as caught:
-        make(levels).go("bad.evil")
-    assert told in str(caught.value)
-
-
-def test_a_level_without_a_game_goes_nowhere(levels):
-    from evilengine import level, script
-
-    world = evil.World()
-    level.build(
-        script.read('new circle ball 1 at 0 0 physicsOn; on collide ball { restart; pace 0.5; go "b.evil"; }'), world
-    )
-    world.add(evil.Circle(1), at=(0.5, 0))
-    world.step()
-    assert len(world.bodies) == 2
-
-
 # Saving -------------------------------------------------------------------------------------------------------------
 
 
