@@ -9,5 +9,6 @@ namespace evil {
 std::uint64_t fingerprint(const Body& body, const std::string& tag, std::span<const NewShape> shapes);
 std::uint64_t fingerprint(const NewShape& shape);
 std::uint64_t fingerprint(const Force& force, const Area& area);
+std::uint64_t fingerprint(const Joint& joint);
 
 } // namespace evil

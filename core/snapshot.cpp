@@ -21,7 +21,8 @@ struct SavedState { // what is read before the world is touched
     Contacts contacts;
     Events events;
     Forces forces;
-    std::vector<bool> body_taken, shape_taken, piece_taken, force_taken;
+    Joints joints;
+    std::vector<bool> body_taken, shape_taken, piece_taken, force_taken, joint_taken;
 };
 
 namespace {
@@ -48,9 +49,10 @@ void read_table(Reader& ar, std::vector<bool>& taken, auto&& grow, auto&& read_r
 
 void write_payload(auto& ar, const World& w) {
     visit(ar, w.gravity, w.sleep_allowed, w.steps, w.time);
-    visit(ar, w.bodies.next_serial, w.shapes.next_serial, w.forces.next_serial);
+    visit(ar, w.bodies.next_serial, w.shapes.next_serial, w.forces.next_serial, w.joints.next_serial);
     write_bodies(ar, w);
     write_forces(ar, w);
+    write_joints(ar, w);
     write_contacts(ar, w);
 }
 
@@ -65,6 +67,7 @@ void write_made(auto& ar, const World& w) {
     visit_made(ar, w.bodies, live(w.bodies.slots));
     visit_made(ar, w.shapes, live(w.shapes.slots));
     visit_made(ar, w.forces, live(w.forces.slots));
+    visit_made(ar, w.joints, live(w.joints.slots));
 }
 
 void read_made(Reader& ar, SavedState& s) {
@@ -72,11 +75,12 @@ void read_made(Reader& ar, SavedState& s) {
     visit_made(ar, s.bodies, live(s.body_taken));
     visit_made(ar, s.shapes, live(s.shape_taken));
     visit_made(ar, s.forces, live(s.force_taken));
+    visit_made(ar, s.joints, live(s.joint_taken));
 }
 
 void read_payload(Reader& ar, SavedState& s) {
     visit(ar, s.gravity, s.sleep_allowed, s.steps, s.time);
-    visit(ar, s.bodies.next_serial, s.shapes.next_serial, s.forces.next_serial);
+    visit(ar, s.bodies.next_serial, s.shapes.next_serial, s.forces.next_serial, s.joints.next_serial);
     read_table(
         ar, s.body_taken, [&](std::size_t n) { s.bodies.rows.resize(n), s.bodies.tags.resize(n); },
         [&](std::uint32_t slot) {
@@ -100,6 +104,9 @@ void read_payload(Reader& ar, SavedState& s) {
             visit(ar, s.forces.rows[slot]);
             visit(ar, s.forces.areas[slot]);
         });
+    read_table(
+        ar, s.joint_taken, [&](std::size_t n) { s.joints.rows.resize(n); },
+        [&](std::uint32_t slot) { visit(ar, s.joints.rows[slot]); });
     visit(ar, s.contacts.rows);
     visit(ar, s.events.hit_speed, s.events.lost);
     read_made(ar, s);
@@ -190,6 +197,16 @@ bool forces_hold_together(const SavedState& s) {
     return true;
 }
 
+bool joints_hold_together(const SavedState& s) {
+    for (std::uint32_t i = 0; i < s.joint_taken.size(); ++i) {
+        if (!s.joint_taken[i]) continue;
+        const Joint& j = s.joints.rows[i];
+        if (j.kind > JointKind::pulley || j.serial >= s.joints.next_serial || j.body_a == j.body_b) return false;
+        if (!taken(s.body_taken, j.body_a) || !taken(s.body_taken, j.body_b)) return false;
+    }
+    return true;
+}
+
 bool contacts_hold_together(const SavedState& s) {
     for (std::size_t i = 0; i < s.contacts.rows.size(); ++i) {
         const Contact& c = s.contacts.rows[i];
@@ -252,6 +269,8 @@ void restore(World& w, SavedState& s) {
                   s.shapes.slots);
     restore_slots(w.forces.slots, s.force_taken, same_objects(w.forces.slots, w.forces.rows, s.forces.rows),
                   s.forces.slots);
+    restore_slots(w.joints.slots, s.joint_taken, same_objects(w.joints.slots, w.joints.rows, s.joints.rows),
+                  s.joints.slots);
     restore_slots(w.shapes.piece_slots, s.piece_taken, {}, s.shapes.piece_slots);
     s.bodies.rows.resize(s.bodies.slots.size());
     s.bodies.tags.resize(s.bodies.slots.size());
@@ -261,6 +280,8 @@ void restore(World& w, SavedState& s) {
     s.shapes.pieces.resize(s.shapes.piece_slots.size());
     s.forces.rows.resize(s.forces.slots.size());
     s.forces.areas.resize(s.forces.slots.size());
+    s.joints.rows.resize(s.joints.slots.size());
+    link_all(s.joints);
     for (Touch& t : s.events.lost) { // one of its two was destroyed, and its slot may be taken again
         bool a = taken(s.body_taken, t.a.slot) && s.bodies.rows[t.a.slot].serial == t.order[0];
         bool b = taken(s.body_taken, t.b.slot) && s.bodies.rows[t.b.slot].serial == t.order[1];
@@ -280,6 +301,7 @@ void restore(World& w, SavedState& s) {
     w.contacts = std::move(s.contacts);
     w.events = std::move(s.events);
     w.forces = std::move(s.forces);
+    w.joints = std::move(s.joints);
 
     std::size_t n = w.bodies.slots.size();
     w.present.assign(n, {});
@@ -335,7 +357,7 @@ ReadSnapshot read_snapshot(std::span<const std::uint8_t> bytes) {
     Reader ar(payload);
     read_payload(ar, *state);
     bool whole = ar.ok && shapes_hold_together(*state) && bodies_hold_together(*state) &&
-                 forces_hold_together(*state) && contacts_hold_together(*state);
+                 forces_hold_together(*state) && joints_hold_together(*state) && contacts_hold_together(*state);
     if (!whole) return {nullptr, SnapshotProblem::inconsistent};
     rebuild_pieces(*state);
     for (Contact& c : state->contacts.rows) {
@@ -360,7 +382,8 @@ SavedSlots slots_of(const SavedState& saved) {
             if (taken[i]) list.push_back(i);
         return list;
     };
-    return {numbers(saved.body_taken), numbers(saved.shape_taken), numbers(saved.force_taken)};
+    return {numbers(saved.body_taken), numbers(saved.shape_taken), numbers(saved.force_taken),
+            numbers(saved.joint_taken)};
 }
 
 } // namespace evil

@@ -18,7 +18,7 @@ std::uint64_t checksum(const World& world);
 struct Sums {
     std::uint64_t bodies = 0;   // with their shapes
     std::uint64_t contacts = 0; // and who touches whom
-    std::uint64_t forces = 0;   // and gravity
+    std::uint64_t forces = 0;   // with joints, and gravity
 };
 Sums sums(const World& world);
 
@@ -33,7 +33,7 @@ struct ReadSnapshot {
 ReadSnapshot read_snapshot(std::span<const std::uint8_t> bytes);
 std::vector<std::string> notes_of(const SavedState& saved); // of the forces written in Python
 struct SavedSlots {                                         // which are taken
-    std::vector<std::uint32_t> bodies, shapes, forces;
+    std::vector<std::uint32_t> bodies, shapes, forces, joints;
 };
 SavedSlots slots_of(const SavedState& saved);
 

@@ -50,6 +50,17 @@ template <class A, Like<Force> V> void visit(A& ar, V& f) {
     visit(ar, f.note);
 }
 
+template <class A, Like<Drive> V> void visit(A& ar, V& d) {
+    visit(ar, d.held, d.limited, d.motor, d.rest, d.lower, d.upper, d.speed, d.most, d.frequency, d.damping_ratio,
+          d.stiffness, d.damping, d.spring_most, d.spring_impulse, d.motor_impulse, d.lower_impulse, d.upper_impulse);
+}
+
+template <class A, Like<Joint> V> void visit(A& ar, V& j) {
+    visit(ar, j.kind, j.collide, j.body_a, j.body_b, j.anchor_a, j.anchor_b, j.axis, j.over_a, j.over_b, j.reference,
+          j.ratio, j.along, j.turn, j.breaking_force, j.breaking_torque, j.impulse, j.force, j.torque, j.serial,
+          j.born);
+}
+
 template <class A, Like<Area> V> void visit(A& ar, V& a) {
     visit(ar, a.centre, a.radius);
     visit(ar, a.parts);
@@ -95,6 +106,10 @@ inline void write_forces(auto& ar, const World& w) {
         visit(ar, w.forces.rows[slot]);
         visit(ar, w.forces.areas[slot]);
     });
+}
+
+inline void write_joints(auto& ar, const World& w) {
+    write_table(ar, w.joints.slots, [&](std::uint32_t slot) { visit(ar, w.joints.rows[slot]); });
 }
 
 inline void write_contacts(auto& ar, const World& w) {

@@ -8,6 +8,7 @@ Sums sums(const World& world) {
     write_contacts(contacts, world);
     visit(forces, world.gravity);
     write_forces(forces, world);
+    write_joints(forces, world);
     return {bodies.sum(), contacts.sum(), forces.sum()};
 }
 

@@ -8,11 +8,12 @@ void World::step(float dt, int substeps) {
     place_pieces(placed, shapes, bodies, dt, instruction_set, threads);
     // approximate: whose bounds meet
     find_pairs(broad, placed, bodies, contacts.scratch.pairs, instruction_set, threads);
-    match_pairs(contacts, shapes);
+    match_pairs(contacts, shapes, joints);
     update_manifolds(contacts, shapes, bodies, dt); // exact: SAT, contact points
-    wake_islands(solver, bodies, contacts, forces);
-    solve(solver, bodies, contacts, forces, gravity, {dt, substeps, instruction_set});
+    wake_islands(solver, bodies, contacts, joints, forces);
+    solve(solver, bodies, contacts, joints, forces, gravity, {dt, substeps, instruction_set});
     stop_at_walls(solver.paths, bodies, shapes);
+    break_joints(*this);
     sleep_islands(solver, bodies, shapes, dt, sleep_allowed);
     find_events(events, contacts, shapes, bodies);
     ++steps;

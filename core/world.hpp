@@ -6,6 +6,7 @@
 #include "collider/search.hpp"
 #include "forces/forces.hpp"
 #include "published.hpp"
+#include "solver/joints/joint.hpp"
 #include "solver/solver.hpp"
 #include "threads.hpp"
 #include <memory>
@@ -36,6 +37,7 @@ struct World {
     Contacts contacts;
     Events events;
     Forces forces;
+    Joints joints;
 
     // Which kernels it runs on; the bits are the same with any
     InstructionSet instruction_set = best_instruction_set();
@@ -80,6 +82,11 @@ ForceRef add_force(World& world, Force force, Area area);
 void attach(World& world, std::uint32_t force, std::uint32_t body);
 void detach(World& world, std::uint32_t force, std::uint32_t body);
 void destroy_force(World& world, std::uint32_t force);
+
+JointRef add_joint(World& world, Joint joint);
+void destroy_joint(World& world, std::uint32_t joint);
+void drop_joints_of(World& world, std::uint32_t body);
+void break_joints(World& world); // those that the last step pulled too hard
 
 // Changing by hand.
 void wake(World& world, std::uint32_t body);

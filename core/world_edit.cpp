@@ -138,6 +138,7 @@ Added<BodyRef> add_body(World& world, const Body& body, const std::string& tag, 
 void destroy_body(World& world, std::uint32_t slot) {
     wake_touching(world, slot);
     drop_from_forces(world, slot);
+    drop_joints_of(world, slot);
     while (world.bodies.rows[slot].first_shape != kNone) {
         std::uint32_t shape = world.bodies.rows[slot].first_shape;
         forget_shape(world.events, world.contacts, world.shapes, world.bodies, shape);
@@ -244,6 +245,7 @@ void wake_touching(World& world, std::uint32_t body) {
         if (c.body_a == body) wake(world, c.body_b);
         if (c.body_b == body) wake(world, c.body_a);
     }
+    for_joints_of(world.joints, body, [&](std::uint32_t, std::uint32_t other) { wake(world, other); });
 }
 
 void move_body(World& world, std::uint32_t body, Vec2 position, double angle) {

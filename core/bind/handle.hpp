@@ -19,13 +19,16 @@ template <class Tag> struct Handle {
 using BodyHandle = Handle<BodyTag>;
 using ShapeHandle = Handle<ShapeTag>;
 using ForceHandle = Handle<ForceTag>;
+using JointHandle = Handle<JointTag>;
 
 inline const Slots& slots_of(const BodyHandle& h) { return h.world->bodies.slots; }
 inline const Slots& slots_of(const ShapeHandle& h) { return h.world->shapes.slots; }
 inline const Slots& slots_of(const ForceHandle& h) { return h.world->forces.slots; }
+inline const Slots& slots_of(const JointHandle& h) { return h.world->joints.slots; }
 inline const char* word_of(const BodyHandle&) { return "Body"; }
 inline const char* word_of(const ShapeHandle&) { return "Shape"; }
 inline const char* word_of(const ForceHandle&) { return "Force"; }
+inline const char* word_of(const JointHandle&) { return "Joint"; }
 
 template <class H> bool alive(const H& h) { return h.world && slots_of(h).alive(h.ref); }
 
@@ -54,6 +57,10 @@ inline Shape& row(const ShapeHandle& h) {
 inline Force& row(const ForceHandle& h) {
     require_alive(h);
     return h.world->forces.rows[h.ref.slot];
+}
+inline Joint& row(const JointHandle& h) {
+    require_alive(h);
+    return h.world->joints.rows[h.ref.slot];
 }
 
 // A number in [least, most].

@@ -239,7 +239,7 @@ void register_world(nb::module_& module) {
                       [](const Saved& s) { return s.state ? notes_of(*s.state) : std::vector<std::string>{}; });
     saved.def_prop_ro("slots", [](const Saved& s) {
         const SavedSlots slots = s.state ? slots_of(*s.state) : SavedSlots{};
-        return std::tuple(slots.bodies, slots.shapes, slots.forces);
+        return std::tuple(slots.bodies, slots.shapes, slots.forces, slots.joints);
     });
     c.def("restore", [](World& w, Saved& s) {
         if (!s.state) raise(ErrorKind::snapshot, "World.restore: this snapshot was used up; read it again");

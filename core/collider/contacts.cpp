@@ -59,14 +59,20 @@ void take_over(Contact& c, const ManifoldSketch& sketch, const Body& a, const Bo
 
 } // namespace
 
-void match_pairs(Contacts& contacts, const Shapes& shapes) {
+void match_pairs(Contacts& contacts, const Shapes& shapes, Joints& joints) {
     auto& next = contacts.scratch.rows;
     next.clear();
     contacts.scratch.parted.clear();
+    bool tied = joints.matched != joints.next_serial; // then what touched may have to part
+    joints.matched = joints.next_serial;
     auto old = contacts.rows.begin(), end = contacts.rows.end();
     for (Pair pair : contacts.scratch.pairs) {
         while (old != end && Pair{old->piece_a, old->piece_b} < pair) drop(contacts, *old++);
         bool kept = old != end && Pair{old->piece_a, old->piece_b} == pair;
+        if ((!kept || tied) && kept_apart(joints, shapes.pieces[pair.a].body, shapes.pieces[pair.b].body)) {
+            if (kept) drop(contacts, *old++);
+            continue;
+        }
         next.push_back(kept ? *old++ : new_contact(pair, shapes));
     }
     while (old != end) drop(contacts, *old++);

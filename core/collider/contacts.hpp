@@ -1,11 +1,12 @@
 #pragma once
 // The life of contacts: born with a pair of bounds, given a manifold each step. What of it is told: collider/events.hpp.
 #include "collider/contact.hpp"
+#include "solver/joints/joint.hpp"
 
 namespace evil {
 
-// Keep the contacts whose pair is still there, drop the others, add new ones.
-void match_pairs(Contacts& contacts, const Shapes& shapes);
+// Keep the contacts whose pair is still there, drop the others, add new ones; none between bodies that a joint keeps apart.
+void match_pairs(Contacts& contacts, const Shapes& shapes, Joints& joints);
 
 // Manifolds where the bodies now are; each point takes over the impulses of the point with its id in the last step.
 void update_manifolds(Contacts& contacts, const Shapes& shapes, const Bodies& bodies, float dt);

@@ -23,12 +23,18 @@ bool stirs(const Body& b) { // a moving platform wakes what it touches
     return b.kind == BodyKind::kinematic && (length_squared(b.velocity) > 0.0f || b.spin != 0.0f);
 }
 
-void find_islands(Solver& solver, const Bodies& bodies, const Contacts& contacts, const Forces& forces) {
+void find_islands(Solver& solver, const Bodies& bodies, const Contacts& contacts, const Joints& joints,
+                  const Forces& forces) {
     auto& island = solver.island_of;
     island.resize(bodies.slots.size());
     for (std::uint32_t slot = 0; slot < island.size(); ++slot) island[slot] = slot;
     for (const Contact& c : contacts.rows)
         if (c.count > 0 && dynamic(bodies, c.body_a) && dynamic(bodies, c.body_b)) unite(island, c.body_a, c.body_b);
+    for (std::uint32_t i = 0; i < joints.slots.size(); ++i) {
+        if (!joints.slots.taken(i)) continue;
+        const Joint& j = joints.rows[i];
+        if (dynamic(bodies, j.body_a) && dynamic(bodies, j.body_b)) unite(island, j.body_a, j.body_b);
+    }
     for (std::uint32_t i = 0; i < forces.slots.size(); ++i) {
         if (!forces.slots.taken(i) || forces.rows[i].target == kNone || !dynamic(bodies, forces.rows[i].target))
             continue;
@@ -48,8 +54,9 @@ float fastest_point(const Body& b, const Shapes& shapes) {
 
 } // namespace
 
-void wake_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, const Forces& forces) {
-    find_islands(solver, bodies, contacts, forces);
+void wake_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, const Joints& joints,
+                  const Forces& forces) {
+    find_islands(solver, bodies, contacts, joints, forces);
     solver.island_awake.assign(bodies.slots.size(), 0);
     for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot)
         if (bodies.slots.taken(slot) && dynamic(bodies, slot) && bodies.rows[slot].awake)
@@ -58,6 +65,12 @@ void wake_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, cons
         if (c.count == 0) continue;
         if (stirs(bodies.rows[c.body_a])) solver.island_awake[solver.island_of[c.body_b]] = 1;
         if (stirs(bodies.rows[c.body_b])) solver.island_awake[solver.island_of[c.body_a]] = 1;
+    }
+    for (std::uint32_t i = 0; i < joints.slots.size(); ++i) {
+        if (!joints.slots.taken(i)) continue;
+        const Joint& j = joints.rows[i];
+        if (stirs(bodies.rows[j.body_a])) solver.island_awake[solver.island_of[j.body_b]] = 1;
+        if (stirs(bodies.rows[j.body_b])) solver.island_awake[solver.island_of[j.body_a]] = 1;
     }
     for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
         Body& b = bodies.rows[slot];

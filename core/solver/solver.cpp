@@ -92,10 +92,12 @@ void note_paths(Solver& solver) {
 
 } // namespace
 
-void solve(Solver& solver, Bodies& bodies, Contacts& contacts, const Forces& forces, Vec2 gravity, StepSize step) {
+void solve(Solver& solver, Bodies& bodies, Contacts& contacts, Joints& joints, const Forces& forces, Vec2 gravity,
+           StepSize step) {
     float h = step.h();
     gather_bodies(solver, bodies);
     fill_blocks(solver, bodies, contacts, step);
+    prepare_joints(solver, bodies, joints, step);
     SolverBody* rows = solver.bodies.data();
     ContactBlock* blocks = solver.blocks.data();
     std::size_t count = solver.blocks.size();
@@ -106,13 +108,17 @@ void solve(Solver& solver, Bodies& bodies, Contacts& contacts, const Forces& for
             apply_forces(forces, bodies, gravity, h, solver.pushes);
         }
         integrate_velocities(solver, bodies, gravity, h);
+        warm_start_joints(solver, step.set);
         EVIL_PICK(step.set, warm_start)(rows, blocks, count);
+        solve_joints(solver, step.set);
         EVIL_PICK(step.set, push_apart)(rows, blocks, count, 1.0f / h);
         integrate_positions(solver, h);
+        relax_joints(solver, step.set);
         EVIL_PICK(step.set, relax)(rows, blocks, count, 1.0f / h);
     }
     apply_restitution(solver, step);
     store_impulses(solver, contacts);
+    store_joints(solver, joints, step);
     write_back(solver, bodies);
     clear_gathered_forces(bodies);
     note_paths(solver);

@@ -9,6 +9,7 @@
 #include "math/cpu.hpp"
 #include "solver/colouring.hpp"
 #include "solver/contact_blocks.hpp"
+#include "solver/joints/joint_solver.hpp"
 
 namespace evil {
 
@@ -37,6 +38,7 @@ struct Solver { // Scratch
     std::vector<Bounce> bounces;           // of the same
     Colouring colouring;
     std::vector<ContactBlock> blocks;
+    JointSolver joints;
     std::vector<Push> pushes;               // by body slot
     std::vector<std::uint32_t> island_of;   // by body slot: root of its island
     std::vector<float> island_still;        // by root: shortest still time
@@ -50,11 +52,12 @@ struct StepSize {
     float h() const { return dt / static_cast<float>(substeps); }
 };
 
-// Move all awake bodies by one step under forces and contacts.
-void solve(Solver& solver, Bodies& bodies, Contacts& contacts, const Forces& forces, Vec2 gravity, StepSize step);
+// Move all awake bodies by one step under forces, joints and contacts.
+void solve(Solver& solver, Bodies& bodies, Contacts& contacts, Joints& joints, const Forces& forces, Vec2 gravity,
+           StepSize step);
 
-// Islands: bodies joined by contacts or springs. They wake together and sleep together.
-void wake_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, const Forces& forces);
+// Islands: bodies joined by contacts, joints or springs. They wake together and sleep together.
+void wake_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, const Joints& joints, const Forces& forces);
 void sleep_islands(Solver& solver, Bodies& bodies, const Shapes& shapes, float dt, bool allowed);
 
 } // namespace evil

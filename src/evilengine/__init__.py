@@ -30,6 +30,7 @@ from evilengine.values.errors import (
 from evilengine.values.image import Image
 from evilengine.values.vec2 import Vec2
 from evilengine.values.version import VERSION
+from evilengine.world import joints
 from evilengine.world.body import Body, Shape
 from evilengine.world.contacts import Contact
 from evilengine.world.forces import ConstantForce, Drag, Force, Gravity, Medium, Pull, Spring
@@ -78,6 +79,7 @@ __all__ = [
     "Triangle",
     "Vec2",
     "World",
+    "joints",
     "math",
 ]
 

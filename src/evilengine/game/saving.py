@@ -138,14 +138,21 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
     state = json.loads(sections["game"])
     world = _core.Saved(sections["world"])
     worlds.check_notes(game.world, world.notes)
-    bodies, shapes, forces = (set(slots) for slots in world.slots)
+    bodies, shapes, forces, joints = (set(slots) for slots in world.slots)
     scene = looks.SceneState(game.scene, sections["drawings"], state["scene"])
     none = _core.NO_SLOT
     bodies_and_none, shapes_and_none = bodies | {none}, shapes | {none}
     if not all(body in bodies_and_none and shape in shapes_and_none for _, body, shape in scene.places):
         raise ValueError("drawings on what is not there")
     events = {row[0] for row in state["timer"]["events"]}
-    known = {"body": bodies, "force": forces, "drawing": scene.slots, "text": scene.texts, "event": events}
+    known = {
+        "body": bodies,
+        "force": forces,
+        "joint": joints,
+        "drawing": scene.slots,
+        "text": scene.texts,
+        "event": events,
+    }
     present = [*game.levels, *[None] * len(state["levels"])]
     levels = [LevelState(game, each, known, present[n]) for n, each in enumerate(state["levels"])]
     handles: list[tuple[_Later, list[Any]]] = []

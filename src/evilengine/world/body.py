@@ -15,6 +15,7 @@ from evilengine.world.shapes import ShapeDefinition, to_shape
 
 if TYPE_CHECKING:
     from evilengine.world.forces import Force
+    from evilengine.world.joints import Joint
     from evilengine.world.world import World
 
 KINDS = ("static", "kinematic", "dynamic")  # in the order of BodyKind in core/bodies.hpp
@@ -147,6 +148,12 @@ class Body(_core.Body):
         """The forces that were added to it, in the order they came into the world."""
         slot = self._require()
         return tuple(f for f in self._world.forces if slot in f._handle().body_slots)
+
+    @property
+    def joints(self) -> tuple[Joint, ...]:
+        """The joints that tie it to others, in creation order."""
+        slot = self._require()
+        return tuple(self._world._joints[joint] for joint in _core.joint_slots_of(self._world._core, slot))
 
     # -- behaviours and events --
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from evilengine.world.body import Body
+    from evilengine.world.joints import BrokenJoint
     from evilengine.world.world import World
 
 
@@ -35,6 +36,11 @@ class Events:
     def woke(self) -> tuple[Body, ...]:
         """Bodies that slept before the last step and are awake after it."""
         return self._bodies(self._world._core.woke)
+
+    @property
+    def broken(self) -> tuple[BrokenJoint, ...]:
+        """Joints that broke in the last step; the same as `world.joints.broken`."""
+        return self._world._broken_joints
 
     def _bodies(self, references: list[tuple[int, int]]) -> tuple[Body, ...]:
         return tuple(self._world._body(slot, generation) for slot, generation in references)

@@ -11,6 +11,7 @@ from evilengine import _core
 from evilengine.values.errors import SnapshotError
 from evilengine.world import forces as kinds
 from evilengine.world.forces import Force
+from evilengine.world.joints import KINDS, Joint
 
 if TYPE_CHECKING:
     from evilengine.world.world import World
@@ -32,6 +33,8 @@ def become(world: World, saved: _core.Saved) -> None:
     """Become what was read, whose notes were checked."""
     bodies, shapes = world._core.restore(saved)
     world._forces = forces_now(world)
+    world._joints = joints_now(world)
+    world._broken_joints = ()
     for slot in bodies:
         world._handles.pop(slot, None)
     for slot in shapes:
@@ -52,6 +55,17 @@ def forces_now(world: World) -> dict[int, Force]:
         else:
             forces[slot] = kept or BUILT_IN[handle.kind]._adopt(world, handle)
     return forces
+
+
+def joints_now(world: World) -> dict[int, Joint]:
+    """An object for each joint of the core: the one that was there, or a new one."""
+    joints = {}
+    for slot in _core.joint_slots(world._core):
+        handle = _core.Joint(world._core, slot, _core.joint_generation(world._core, slot))
+        old = world._joints.get(slot)
+        kept = old if old is not None and old._fields == handle else None
+        joints[slot] = kept or KINDS[handle.kind]._adopt(world, handle)
+    return joints
 
 
 def python_force(world: World, handle: _core.Force, kept: Force | None) -> Force:

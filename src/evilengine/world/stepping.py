@@ -9,6 +9,7 @@ from evilengine.values.checks import number
 from evilengine.values.vec2 import to_vec2
 from evilengine.world.contacts import ContactList
 from evilengine.world.forces import PYTHON
+from evilengine.world.joints.joint import joints_that_broke
 
 if TYPE_CHECKING:
     from evilengine.world.body import Body
@@ -56,6 +57,7 @@ def ask_forces(world: World, dt: float) -> None:
 def tell_events(world: World) -> None:
     """Tell the bodies what happened to them, kind by kind, each in the order in which they were created."""
     heard, core = world._heard, world._core
+    broken = joints_that_broke(world)
     for name, rows in (("on_collide", "begun"), ("on_hit", "hit"), ("on_separate", "ended")):
         if name in heard:
             tell_contacts(world, name, getattr(core, rows))
@@ -64,6 +66,8 @@ def tell_events(world: World) -> None:
             for body in world.events._bodies(getattr(core, bodies)):
                 if body.alive and name in body._callbacks:
                     body._callbacks[name].run()
+    for each in broken:
+        each.joint._broken.run(each)
 
 
 def tell_contacts(world: World, name: str, rows: _core.Touches) -> None:

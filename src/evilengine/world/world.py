@@ -18,6 +18,8 @@ from evilengine.world.body import Body, Motion, Shape, to_tag
 from evilengine.world.contacts import Contacts
 from evilengine.world.events import Events
 from evilengine.world.forces import Force
+from evilengine.world.joints import BrokenJoint, Joint, Joints
+from evilengine.world.joints.joint import bury_joints, enter
 from evilengine.world.queries import Queries
 from evilengine.world.shapes import ShapeDefinition
 
@@ -25,6 +27,7 @@ MAX_STEP = 1.0
 """Seconds: the longest step. A longer one is a mistake in units."""
 
 AnyForce = TypeVar("AnyForce", bound=Force)
+AnyJoint = TypeVar("AnyJoint", bound=Joint)
 
 
 class World(Queries):
@@ -50,6 +53,8 @@ class World(Queries):
         self._definitions: dict[int, ShapeDefinition] = {}  # by the slots of live shapes
         self._recipes = Recipes()
         self._forces: dict[int, Force] = {}
+        self._joints: dict[int, Joint] = {}
+        self._broken_joints: tuple[BrokenJoint, ...] = ()
         self._updated: list[Body] = []  # bodies with on_update
         self._motions: dict[int, tuple[Body, Motion]] = {}
         self._heard: set[str] = set()  # kinds of events that any body wants to be told
@@ -111,13 +116,18 @@ class World(Queries):
         return tuple(self._forces[slot] for slot in sorted(self._forces))
 
     @property
+    def joints(self) -> Joints:
+        """All joints, in creation order; `.broken` are those that broke in the last step."""
+        return Joints(self)
+
+    @property
     def contacts(self) -> Contacts:
         """What touched in the last step: `.begun`, `.ended`, `.hit`, `.active`."""
         return Contacts(self)
 
     @property
     def events(self) -> Events:
-        """What else happened in the last step: `.slept`, `.woke`."""
+        """What else happened in the last step: `.slept`, `.woke`, `.broken`."""
         return Events(self)
 
     @property
@@ -267,6 +277,18 @@ class World(Queries):
         force._bind(self, _core.Force(self._core, slot, self._core.force_generation(slot)))
         self._forces[slot] = force
 
+    @known_keywords
+    def add_joint(self, joint: AnyJoint) -> AnyJoint:
+        """Tie two bodies by a joint of `evil.joints`, as they now stand; returns it (SPEC P8).
+
+        >>> world = evil.World()
+        >>> a, b = world.add(evil.Circle(1)), world.add(evil.Circle(1), at=(3, 0))
+        >>> rod = world.add_joint(evil.joints.Distance(a, b))
+        >>> list(world.joints) == [rod]
+        True
+        """
+        return enter(self, joint)
+
     # -- stepping --
 
     @known_keywords
@@ -405,6 +427,7 @@ class World(Queries):
                 assert force._ref is not None
                 force._ref._bury(self.steps)
                 del self._forces[slot]
+        bury_joints(self)
 
     def _destroy_shape(self, shape: Shape) -> None:
         _ = shape._body_slot  # raises StaleReferenceError
