@@ -18,7 +18,7 @@ from evilengine.values.checks import did_you_mean
 from evilengine.values.errors import Error
 from evilengine.values.version import VERSION
 
-COMMANDS = ("play", "replay", "new", "examples", "check", "render", "translate", "doctor", "bench")
+COMMANDS = ("play", "replay", "new", "examples", "check", "render", "translate", "doctor", "bench", "testbed")
 """In the order in which one meets them."""
 
 USAGE_ERROR = 2

@@ -25,6 +25,9 @@ from evilengine.world.world import World
 Textures: TypeAlias = Callable[[str], int]
 """Gives the texture id for an image's name, or raises AssetError; it keeps what it loaded."""
 
+Panel: TypeAlias = Callable[[_core.Scene, Fonts | None, tuple[int, int], float], object]
+"""Draws on the screen: given the core's scene, the fonts, the picture's size in pixels, and how many make a point."""
+
 SPECK = 0.05  # metres: how large a particle is drawn, which has no size of its own
 
 
@@ -59,6 +62,8 @@ class Scene:
         self.debug_view = DebugView()
         self.graph: Collection[FrameTimes] | None = None
         """What frames cost, to be drawn over everything; None for no graph."""
+        self.panels: list[Panel] = []
+        """Who draws over everything, on the screen: menus and readings that are no part of the game."""
         self._core = _core.Scene()
         self._textures = textures
         self._fonts = fonts
@@ -218,6 +223,8 @@ class Scene:
             self.debug_view.draw(self._core, self.world, self._fonts, view, alpha, screen, scale)
         if self.graph is not None and overlay:
             graph.draw(self._core, self.graph, self._fonts, screen, scale)
+        for panel in self.panels if overlay else ():
+            panel(self._core, self._fonts, screen, scale)
         self._texts = [text for text in self._texts if text.alive]
         self._overlay = [text for text in self._overlay if text.alive]
         for text in (*self._texts, *(self._overlay if overlay else ())):
