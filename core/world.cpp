@@ -9,7 +9,7 @@ void World::step(float dt, int substeps) {
     // approximate: whose bounds meet
     find_pairs(broad, placed, bodies, contacts.scratch.pairs, instruction_set, threads);
     match_pairs(contacts, shapes, joints);
-    update_manifolds(contacts, shapes, bodies, dt); // exact: SAT, contact points
+    update_manifolds(contacts, placed, shapes, bodies, dt, instruction_set, threads); // exact: SAT, contact points
     wake_islands(solver, bodies, contacts, joints, forces);
     solve(solver, bodies, contacts, joints, forces, gravity, {dt, substeps, instruction_set});
     stop_at_walls(solver.paths, bodies, shapes);

@@ -29,6 +29,7 @@ void bind_material(nb::class_<BodyHandle>& c, const char* name, float most, cons
             Shapes& shapes = h.world->shapes;
             for (std::uint32_t s = b.first_shape; s != kNone; s = shapes.rows[s].next)
                 shapes.rows[s].material.*Each = b.*Field;
+            ++shapes.material_changes;
             wake(*h.world, h.ref.slot);
         },
         doc);

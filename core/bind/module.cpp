@@ -23,4 +23,5 @@ NB_MODULE(_core, module) {
     evil::bind::register_gpu(module);
     evil::bind::register_scene(module);
     evil::bind::register_mixer(module);
+    evil::bind::register_collider(module);
 }

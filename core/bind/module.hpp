@@ -22,5 +22,6 @@ void register_raster(nb::module_& module);
 void register_gpu(nb::module_& module);
 void register_scene(nb::module_& module);
 void register_mixer(nb::module_& module);
+void register_collider(nb::module_& module);
 
 } // namespace evil::bind

@@ -51,6 +51,7 @@ void bind_material(nb::class_<ShapeHandle>& c, const char* name, float most, con
         [name, most](const ShapeHandle& h, nb::handle value) {
             Shape& shape = row(h);
             shape.material.*Field = in_range(value, "Shape", name, 0.0f, most);
+            ++h.world->shapes.material_changes;
             wake(*h.world, shape.body);
         },
         doc);

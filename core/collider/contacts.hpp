@@ -9,7 +9,10 @@ namespace evil {
 void match_pairs(Contacts& contacts, const Shapes& shapes, Joints& joints);
 
 // Manifolds where the bodies now are; each point takes over the impulses of the point with its id in the last step.
-void update_manifolds(Contacts& contacts, const Shapes& shapes, const Bodies& bodies, float dt);
+void update_manifolds(Contacts& contacts, const Placements& placed, const Shapes& shapes, const Bodies& bodies,
+                      float dt, InstructionSet set, Threads& threads);
+// The same by collide() alone: what the wide kernels are tested against.
+void update_manifolds_one_by_one(Contacts& contacts, const Shapes& shapes, const Bodies& bodies, float dt);
 
 // What a contact is by its shapes alone.
 void mark(Contact& contact, const Shapes& shapes);

@@ -17,7 +17,17 @@ void grow(Placements& placed, std::size_t pieces) {
     placed.bodies.resize(whole);
     placed.forms.resize(whole);
     placed.octaves.resize(whole);
+    placed.kinds.resize(whole);
     for (auto* side : {&placed.low_x, &placed.low_y, &placed.high_x, &placed.high_y}) side->resize(whole);
+}
+
+void note_body(Placements& placed, const Shapes& shapes, const Bodies& bodies, std::uint32_t p) {
+    std::uint32_t body = shapes.piece_slots.taken(p) ? shapes.pieces[p].body : 0;
+    const Body& b = bodies.rows[body];
+    bool resting = b.kind == BodyKind::fixed || (b.kind == BodyKind::dynamic && !b.awake);
+    placed.bodies[p] = body;
+    placed.kinds[p] =
+        static_cast<std::uint8_t>(static_cast<unsigned>(shapes.form_kinds[p]) | (resting ? kResting : 0u));
 }
 
 } // namespace
@@ -27,8 +37,7 @@ void place_pieces(Placements& placed, const Shapes& shapes, const Bodies& bodies
     std::size_t pieces = shapes.forms.size();
     grow(placed, pieces);
     if (pieces == 0) return;
-    for (std::uint32_t p = 0; p < pieces; ++p)
-        placed.bodies[p] = shapes.piece_slots.taken(p) ? shapes.pieces[p].body : 0;
+    for (std::uint32_t p = 0; p < pieces; ++p) note_body(placed, shapes, bodies, p);
     PlacingRows rows{reinterpret_cast<const float*>(bodies.rows.data()),
                      sizeof(Body) / 32,
                      reinterpret_cast<const float*>(shapes.forms.data()),

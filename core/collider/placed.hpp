@@ -30,11 +30,13 @@ static_assert(sizeof(PlacedForm) == 64);
 
 struct Placements { // Scratch, by piece slot; rounded up to whole lanes
     std::vector<std::uint32_t> bodies;
+    std::vector<std::uint8_t> kinds; // FormKind, and kResting where nothing moves the body
     std::vector<PlacedForm> forms;
     std::vector<float> low_x, low_y, high_x, high_y; // bounds, grown by half the margin and by what it may move
     std::vector<std::int32_t> octaves; // floor(log2) of the bounds' longer side; kNoOctave for slots without a piece
 };
 inline constexpr std::int32_t kNoOctave = -1000;
+inline constexpr std::uint8_t kResting = 0x80; // whatever moves a body by hand wakes those it has contacts with
 
 void place_pieces(Placements& placed, const Shapes& shapes, const Bodies& bodies, float dt, InstructionSet set,
                   Threads& threads);

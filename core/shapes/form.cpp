@@ -44,4 +44,17 @@ FormOf form_of(const Piece& piece, std::span<const Vec2> corners, std::span<cons
     return {form, kind};
 }
 
+FewCorners few_corners(const Form& form, std::span<const Vec2> corners, std::span<const Vec2> normals) {
+    FewCorners few{};
+    for (std::size_t i = 0; i < kFewCorners; ++i) {
+        std::size_t from = std::min(i, corners.size() - 1);
+        Vec2 corner = unrotate(form.turn, corners[from] - form.centre), normal = unrotate(form.turn, normals[from]);
+        few.x[i] = corner.x;
+        few.y[i] = corner.y;
+        few.normal_x[i] = normal.x;
+        few.normal_y[i] = normal.y;
+    }
+    return few;
+}
+
 } // namespace evil

@@ -29,6 +29,13 @@ enum class FormKind : std::uint8_t { circle, box, polygon, other };
 
 inline constexpr std::uint32_t kFewCorners = 8; // polygons of up to so many are of kind `polygon`
 
+// Corners and outward normals of a box or a polygon, from the middle of its form and along its axes. Fewer than eight repeat
+// the last.
+struct alignas(32) FewCorners {
+    float x[kFewCorners], y[kFewCorners], normal_x[kFewCorners], normal_y[kFewCorners];
+};
+FewCorners few_corners(const Form& form, std::span<const Vec2> corners, std::span<const Vec2> normals);
+
 // Its form, and what it is to whoever has shorter ways with circles, boxes and polygons of few corners.
 struct FormOf {
     Form form;

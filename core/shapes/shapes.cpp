@@ -51,6 +51,16 @@ void bake_edge(Shapes& shapes, Piece& piece, const Shape& shape, std::span<const
     points[3] = at(i + 2);
 }
 
+void bake_form(Shapes& shapes, std::uint32_t p) {
+    std::span<const Vec2> corners = points_of(shapes, shapes.pieces[p]), normals = normals_of(shapes, shapes.pieces[p]);
+    FormOf made = form_of(shapes.pieces[p], corners, normals);
+    shapes.forms[p] = made.form;
+    shapes.form_kinds[p] = made.kind;
+    if (made.kind != FormKind::box && made.kind != FormKind::polygon) return;
+    if (shapes.few_corners.size() <= p) shapes.few_corners.resize(shapes.pieces.size());
+    shapes.few_corners[p] = few_corners(made.form, corners, normals);
+}
+
 void release_pieces(Shapes& shapes, std::uint32_t shape) {
     for (std::uint32_t p = shapes.rows[shape].first_piece; p != kNone; p = shapes.pieces[p].next) {
         shapes.live_points -= room_of(shapes.pieces[p], shapes.rows[shape].kind);
@@ -158,9 +168,7 @@ void bake(Shapes& shapes, std::uint32_t shape, Vec2 scale) {
         else
             bake_edge(shapes, piece, row, shapes.corners[shape], part, m);
         if (piece.count > 0) bake_core(shapes, piece, row.radius * length({m.a, m.b}));
-        FormOf made = form_of(piece, points_of(shapes, piece), normals_of(shapes, piece));
-        shapes.forms[p] = made.form;
-        shapes.form_kinds[p] = made.kind;
+        bake_form(shapes, p);
     }
 }
 

@@ -1684,3 +1684,16 @@ class Mixer:
         """
         Blocks mixed, longest time from one call to the next, longest time of a call: in ticks of that clock.
         """
+
+def bounds_of_pieces(world: World, dt: float) -> list[tuple[int, float, float, float, float, int]]:
+    """
+    For tests: body, low x, low y, high x, high y and octave of size of each piece's bounds.
+    """
+
+def pairs_of_pieces(world: World, dt: float) -> list[tuple[int, int]]:
+    """For tests: the pairs of pieces that the broad phase finds."""
+
+def manifolds_of_pairs(world: World, dt: float, wide: bool) -> list[tuple[int, int, int, float, float, list[tuple[float, float, float, int]]]]:
+    """
+    For tests: pieces, axis, normal and points (anchor x and y, separation, id) of each contact, found eight at a time or one by one.
+    """

@@ -1,0 +1,194 @@
+// Manifolds of all contacts: those of common kinds eight at a time, the others one by one.
+#include "collider/contacts.hpp"
+#include "collider/manifolds_wide.hpp"
+#include "collider/narrow_phase.hpp"
+
+namespace evil {
+namespace {
+
+// A switch of reference edge costs warm starting, so the other one must be better by this much (metres).
+constexpr float kReferenceBias = 0.1f * kSlop;
+constexpr std::size_t kGrain = 256; // contacts a chunk
+
+enum Way { boxes, circles, box_circle, circle_box, polygons, polygon_circle, circle_polygon, one_by_one };
+static_assert(one_by_one + 1 == kWays);
+
+Way way_of(unsigned a, unsigned b) {
+    constexpr Way kTable[4][4] = {
+        {circles, circle_box, circle_polygon, one_by_one},
+        {box_circle, boxes, polygons, one_by_one},
+        {polygon_circle, polygons, polygons, one_by_one},
+        {one_by_one, one_by_one, one_by_one, one_by_one},
+    };
+    return kTable[a][b];
+}
+
+using Kernel = void (*)(const FormTables&, const EightPairs&, EightManifolds&) noexcept;
+Kernel kernel_for(std::size_t way, InstructionSet set) {
+    switch (way) {
+    case boxes:
+        return EVIL_PICK(set, collide_boxes);
+    case circles:
+        return EVIL_PICK(set, collide_circles);
+    case box_circle:
+        return EVIL_PICK(set, collide_box_circle);
+    case circle_box:
+        return EVIL_PICK(set, collide_circle_box);
+    case polygons:
+        return EVIL_PICK(set, collide_polygons);
+    case polygon_circle:
+        return EVIL_PICK(set, collide_polygon_circle);
+    default:
+        return EVIL_PICK(set, collide_circle_polygon);
+    }
+}
+
+void mix_materials(Contact& c, const Shapes& shapes) { // SPEC C5
+    const Material &m = shapes.rows[c.shape_a].material, &n = shapes.rows[c.shape_b].material;
+    c.friction = std::sqrt(m.friction * n.friction);
+    c.restitution = std::max(m.restitution, n.restitution);
+}
+
+// Contacts of bodies at rest stay as they are, unless they are new: nothing has changed between them.
+void sort_by_way(Contacts& contacts, const Placements& placed, const Shapes& shapes) {
+    auto& s = contacts.scratch;
+    bool mix_all = s.material_changes != shapes.material_changes;
+    s.material_changes = shapes.material_changes;
+    for (auto& way : s.ways) way.clear();
+    for (std::uint32_t row = 0; row < contacts.rows.size(); ++row) {
+        Contact& c = contacts.rows[row];
+        unsigned a = placed.kinds[c.piece_a], b = placed.kinds[c.piece_b];
+        if (mix_all || c.fresh) mix_materials(c, shapes);
+        if (!c.fresh && (a & b & kResting)) continue;
+        c.fresh = false;
+        s.ways[way_of(a & ~unsigned{kResting}, b & ~unsigned{kResting})].push_back(row);
+    }
+}
+
+// What the points of the last step leave to those with their ids.
+struct Impulses {
+    std::uint32_t id[2];
+    float normal[2], tangent[2];
+    int count;
+    explicit Impulses(const Contact& c) : count(c.count) {
+        for (int i = 0; i < 2; ++i) {
+            id[i] = c.points[i].id;
+            normal[i] = c.points[i].normal_impulse;
+            tangent[i] = c.points[i].tangent_impulse;
+        }
+    }
+    void give(ManifoldPoint& point) const {
+        for (int i = 0; i < count; ++i) {
+            if (id[i] != point.id) continue;
+            point.normal_impulse = normal[i];
+            point.tangent_impulse = tangent[i];
+        }
+    }
+};
+
+std::int32_t packed(Axis axis) { return axis.known ? axis.edge | (axis.of_b ? kAxisOfB : 0) : kNoAxis; }
+Axis unpacked(std::int32_t axis) {
+    if (axis == kNoAxis) return {};
+    return {static_cast<std::uint16_t>(axis), (axis & kAxisOfB) != 0, true};
+}
+
+// The manifold of bodies that have parted stays as it was last: it says where they touched.
+void take_over(Contact& c, const EightManifolds& m, std::size_t lane) {
+    c.axis = unpacked(m.axis[lane]);
+    if (m.count[lane] == 0) {
+        c.count = 0;
+        return;
+    }
+    Impulses last(c);
+    c.count = static_cast<std::uint8_t>(m.count[lane]);
+    c.normal = {m.normal_x[lane], m.normal_y[lane]};
+    for (std::size_t i = 0; i < 2; ++i) {
+        ManifoldPoint& point = c.points[i] = {};
+        if (i >= c.count) continue;
+        const auto& from = m.points[i];
+        point.anchor_a = {from.anchor_ax[lane], from.anchor_ay[lane]};
+        point.anchor_b = {from.anchor_bx[lane], from.anchor_by[lane]};
+        point.separation = from.separation[lane];
+        point.id = from.id[lane];
+        last.give(point);
+    }
+}
+
+void take_over(Contact& c, const ManifoldSketch& sketch, const Body& a, const Body& b) {
+    if (sketch.count == 0) {
+        c.count = 0;
+        return;
+    }
+    Impulses last(c);
+    c.count = sketch.count;
+    c.normal = sketch.normal;
+    for (std::size_t i = 0; i < 2; ++i) {
+        ManifoldPoint& point = c.points[i] = {};
+        if (i >= c.count) continue;
+        point.anchor_a = sketch.points[i].at - a.centre;
+        point.anchor_b = sketch.points[i].at - b.centre;
+        point.separation = sketch.points[i].separation;
+        point.id = sketch.points[i].id;
+        last.give(point);
+    }
+}
+
+// A last eight that is not full repeats its last pair.
+void update_eight(Contacts& contacts, const Shapes& shapes, const FormTables& tables, Kernel kernel,
+                  std::span<const std::uint32_t> rows) {
+    EightPairs pairs;
+    EightManifolds manifolds;
+    for (std::size_t i = 0; i < 8; ++i) {
+        const Contact& c = contacts.rows[rows[std::min(i, rows.size() - 1)]];
+        pairs.a[i] = c.piece_a;
+        pairs.b[i] = c.piece_b;
+        pairs.corners_a[i] = static_cast<std::int32_t>(shapes.pieces[c.piece_a].count);
+        pairs.corners_b[i] = static_cast<std::int32_t>(shapes.pieces[c.piece_b].count);
+        pairs.axis[i] = packed(c.axis);
+    }
+    kernel(tables, pairs, manifolds);
+    for (std::size_t i = 0; i < rows.size(); ++i) take_over(contacts.rows[rows[i]], manifolds, i);
+}
+
+// Contacts in advance of touching, so that a fast body is slowed just enough (SPEC C8); no further than half the smaller
+// piece, since beyond that a face's plane says little about where the other will be.
+float margin_of(const Piece& p, const Piece& q, const Body& a, const Body& b, float dt) {
+    float arms = std::abs(a.spin) * p.reach + std::abs(b.spin) * q.reach;
+    float path = dt * (length(b.velocity - a.velocity) + arms);
+    return kMargin + std::min(path, 0.5f * std::min(p.reach, q.reach));
+}
+
+void update_one(Contact& c, const Shapes& shapes, const Bodies& bodies, float dt) {
+    const Body &a = bodies.rows[c.body_a], &b = bodies.rows[c.body_b];
+    const Piece &p = shapes.pieces[c.piece_a], &q = shapes.pieces[c.piece_b];
+    float margin = margin_of(p, q, a, b, dt);
+    take_over(c, collide(place(shapes, p, a.pose), place(shapes, q, b.pose), margin, c.axis), a, b);
+}
+
+} // namespace
+
+void update_manifolds(Contacts& contacts, const Placements& placed, const Shapes& shapes, const Bodies& bodies,
+                      float dt, InstructionSet set, Threads& threads) {
+    sort_by_way(contacts, placed, shapes);
+    FormTables tables{reinterpret_cast<const float*>(placed.forms.data()),
+                      reinterpret_cast<const float*>(shapes.few_corners.data()), kMargin, kReferenceBias};
+    for (std::size_t way = 0; way < one_by_one; ++way) {
+        std::span<const std::uint32_t> rows = contacts.scratch.ways[way];
+        Kernel kernel = kernel_for(way, set);
+        parallel_for(threads, rows.size(), kGrain, [&](std::size_t first, std::size_t last) {
+            for (; first < last; first += 8)
+                update_eight(contacts, shapes, tables, kernel,
+                             rows.subspan(first, std::min<std::size_t>(8, last - first)));
+        });
+    }
+    std::span<const std::uint32_t> rest = contacts.scratch.ways[one_by_one];
+    parallel_for(threads, rest.size(), kGrain / 8, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) update_one(contacts.rows[rest[i]], shapes, bodies, dt);
+    });
+}
+
+void update_manifolds_one_by_one(Contacts& contacts, const Shapes& shapes, const Bodies& bodies, float dt) {
+    for (Contact& c : contacts.rows) update_one(c, shapes, bodies, dt);
+}
+
+} // namespace evil
