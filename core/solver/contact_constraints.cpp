@@ -118,6 +118,52 @@ void fill_blocks(Solver& solver, const Bodies& bodies, const Contacts& contacts,
     }
 }
 
+namespace {
+
+// One contact that bounces: its bodies, its frame, and the two points of its lane.
+struct Impact {
+    SolverBody &a, &b;
+    Vec2 normal;
+    ContactBlock& block;
+    std::size_t lane;
+
+    float speed(std::size_t p) const {
+        return normal_speed(speeds(a, b, Frame{normal, right_of(normal)}), block.points[p], lane);
+    }
+    void push(std::size_t p, float impulse) { // (4.9), (4.10)
+        BlockPoint& q = block.points[p];
+        q.total_impulse[lane] += impulse;
+        a.vx -= a.inv_mass * impulse * normal.x;
+        a.vy -= a.inv_mass * impulse * normal.y;
+        a.spin -= a.inv_inertia * impulse * q.arm_at[lane];
+        b.vx += b.inv_mass * impulse * normal.x;
+        b.vy += b.inv_mass * impulse * normal.y;
+        b.spin += b.inv_inertia * impulse * q.arm_bt[lane];
+    }
+};
+
+// Both points at once: pushes p and q with  k11 p + k12 q = w1,  k12 p + k22 q = w2.  One after the other, each would undo
+// some of the other, and boxes that meet face to face, or near an end, would gain or lose speed. False where the points
+// are too near each other to be told apart, or one would have to pull.
+bool bounce_both(Impact& impact, const float (&outward)[2]) {
+    const std::size_t i = impact.lane;
+    BlockPoint &first = impact.block.points[0], &second = impact.block.points[1];
+    const SolverBody &a = impact.a, &b = impact.b;
+    float k11 = inverse(first.normal_mass[i]), k22 = inverse(second.normal_mass[i]);
+    float k12 = a.inv_mass + b.inv_mass + a.inv_inertia * first.arm_at[i] * second.arm_at[i] +
+                b.inv_inertia * first.arm_bt[i] * second.arm_bt[i];
+    float determinant = k11 * k22 - k12 * k12;
+    if (!(determinant > 1e-3f * k11 * k22)) return false;
+    float w1 = outward[0] - impact.speed(0), w2 = outward[1] - impact.speed(1);
+    float p = (k22 * w1 - k12 * w2) / determinant, q = (k11 * w2 - k12 * w1) / determinant;
+    if (!(p >= -first.normal_impulse[i] && q >= -second.normal_impulse[i])) return false;
+    impact.push(0, p);
+    impact.push(1, q);
+    return true;
+}
+
+} // namespace
+
 // (4.8): the solver has brought the closing speed to 0, this adds e times that of the impact outwards. The next step's
 // contacts do not start from a bounce, so it is added to the total alone.
 void apply_restitution(Solver& solver, StepSize step) {
@@ -125,23 +171,19 @@ void apply_restitution(Solver& solver, StepSize step) {
         if (bounce.restitution == 0.0f) continue;
         ContactBlock& block = solver.blocks[bounce.place.block];
         std::size_t i = bounce.place.lane;
-        SolverBody &a = solver.bodies[block.a[i]], &b = solver.bodies[block.b[i]];
-        Vec2 normal{block.nx[i], block.ny[i]};
-        Frame frame{normal, right_of(normal)};
+        Impact impact{solver.bodies[block.a[i]], solver.bodies[block.b[i]], {block.nx[i], block.ny[i]}, block, i};
+        bool bounces[2];
+        float outward[2];
         for (std::size_t p = 0; p < 2; ++p) {
-            BlockPoint& q = block.points[p];
             float closing = bounce.closing_speed[p];
-            if (q.total_impulse[i] == 0.0f || closing - bounce.gained_speed <= kRestitutionSpeed) continue;
-            float speed = normal_speed(speeds(a, b, frame), q, i);
-            float outward = bounce_speed(bounce, closing, bounce.gap[p], step);
-            float impulse = std::max(-q.normal_mass[i] * (speed - outward), -q.normal_impulse[i]);
-            q.total_impulse[i] += impulse;
-            a.vx -= a.inv_mass * impulse * normal.x; // (4.9), (4.10)
-            a.vy -= a.inv_mass * impulse * normal.y;
-            a.spin -= a.inv_inertia * impulse * q.arm_at[i];
-            b.vx += b.inv_mass * impulse * normal.x;
-            b.vy += b.inv_mass * impulse * normal.y;
-            b.spin += b.inv_inertia * impulse * q.arm_bt[i];
+            bounces[p] = block.points[p].total_impulse[i] != 0.0f && closing - bounce.gained_speed > kRestitutionSpeed;
+            outward[p] = bounce_speed(bounce, closing, bounce.gap[p], step);
+        }
+        if (bounces[0] && bounces[1] && bounce_both(impact, outward)) continue;
+        for (std::size_t p = 0; p < 2; ++p) {
+            if (!bounces[p]) continue;
+            const BlockPoint& q = block.points[p];
+            impact.push(p, std::max(q.normal_mass[i] * (outward[p] - impact.speed(p)), -q.normal_impulse[i]));
         }
     }
 }
