@@ -6,6 +6,7 @@ import ctypes
 import gc
 import random
 import timeit
+from array import array
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, cast
 
@@ -32,13 +33,22 @@ def one_by_one(count: int = COUNT) -> World:
     return world
 
 
+def all_at_once(places: array[float]) -> World:
+    """A unit box at each place, by one call."""
+    world = World((0.0, -10.0))
+    world.add_many(Rectangle(1, 1), places)
+    return world
+
+
 def reading(peers: Iterable[type[Peer]]) -> Numbers:
     """Milliseconds to make 5050 bodies, nanoseconds to read a position, microseconds to see all of them."""
     world = one_by_one()
     body = next(iter(world.bodies))
+    places = array("f", (value for i in range(COUNT) for value in (2.0 * i, 0.0)))
     numbers: Numbers = {
         "evil": {
             "create_ms": 1e3 * best(one_by_one, REPEATS),
+            "create_batch_ms": 1e3 * best(lambda: all_at_once(places), REPEATS),
             "position_ns": nanoseconds(lambda: body.position),
             "all_positions_us": 1e6 * best(lambda: memoryview(cast(bytes, world.bodies.positions)), 100),
         }
@@ -86,12 +96,20 @@ def casting(peers: Iterable[type[Peer]], tell: Tell, warm: int = 300) -> Numbers
         ours.step()
     world = ours.staged.world
     numbers: Numbers = {"evil": ray_numbers(lambda a, b: world.ray_cast(a, b) is not None, starts, ends)}
+    tables = [table_of(points) for points in (starts, ends)]
+    numbers["evil"]["ray_batch_us"] = 1e6 * best(lambda: world.ray_casts(*tables), 20) / len(starts)
     for kind in peers:
         peer = kind(scene, scene.size)
         for _ in range(warm):
             peer.step()
         numbers[kind.name] = ray_numbers(peer.ray, starts, ends)  # type: ignore[arg-type]
     return numbers
+
+
+def table_of(points: Sequence[Point]) -> memoryview:
+    """Points as an array of float32 with two columns."""
+    flat = array("f", (value for point in points for value in point))
+    return memoryview(flat).cast("B").cast("f", (len(points), 2))
 
 
 def ray_numbers(ray: Callable[[Point, Point], bool], starts: Sequence[Point], ends: Sequence[Point]) -> Numbers:

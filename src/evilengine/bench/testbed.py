@@ -32,7 +32,8 @@ KEYS = (
 )
 ACTIONS = {
     "up": "previous", "down": "next", "minus": "smaller", "equals": "larger", "r": "restart", "p": "pause",
-    "space": "pause", "period": "step", "d": "debug", "f1": "debug", "g": "graph", "f4": "graph", "s": "sleep", "escape": "quit",
+    "space": "pause", "period": "step", "d": "debug", "f1": "debug", "g": "graph", "f4": "graph", "s": "sleep",
+    "escape": "quit",
 }  # fmt: skip
 LARGEST = 4.0
 """Times its benchmark's size that a scene may grow to by hand."""
