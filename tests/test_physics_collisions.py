@@ -186,9 +186,9 @@ def test_angular_momentum_is_conserved_without_outside_forces(seed, restitution,
 @pytest.mark.parametrize("restitution", [0.0, 0.3, 0.8, 1.0])
 @pytest.mark.parametrize("friction", [0.0, 0.7])
 def test_energy_never_grows_without_gravity(restitution, friction):
-    """An impact may span steps, which stop what meets and then send it back, so a step is compared with the four before.
+    """An impact may span steps, which stop what meets and then send it back: a step is compared with four before it.
 
-    Where something is lost at each bounce, energy falls, to a part in a thousand. Where nothing is, bodies that turn far
+    Where each bounce loses something, energy falls, to a part in a thousand. Where none does, bodies that turn far
     within a step, and hits of three at once, are a few parts in a hundred off either way, and lose in the long run.
     """
     for seed in (5, 6, 7):

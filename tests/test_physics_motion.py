@@ -1,7 +1,8 @@
-"""Bodies without contacts, against the continuous solutions of (4.1) to (4.7): free fall, projectiles, spin, springs."""
+"""Bodies without contacts, against the continuous solutions of (4.1) to (4.7): flights, spin, springs."""
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import pytest
@@ -41,7 +42,7 @@ def test_the_error_of_a_flight_halves_with_the_step(damping, velocity):
         position, speed = flight(damping, velocity, substeps)
         there, fast = exact(damping, velocity)
         errors.append(((position - there).length, (speed - fast).length))
-    for (coarse, _), (fine, _) in zip(errors, errors[1:], strict=False):
+    for (coarse, _), (fine, _) in itertools.pairwise(errors):
         assert 1.9 < coarse / fine < 2.1
     assert errors[0][0] < 0.3, "a sixtieth of a second is a good step already"
     if damping == 1.0:
@@ -123,7 +124,7 @@ def test_a_damped_spring_dies_away_as_fast_as_its_damping_says():
         if last > before and last > now and last > 0.01:
             tops.append(last)
         before, last = last, now
-    ratios = [b / a for a, b in zip(tops, tops[1:], strict=False)]
+    ratios = [b / a for a, b in itertools.pairwise(tops)]
     decay, turning = damping / (2 * mass), math.sqrt(stiffness / mass - (damping / (2 * mass)) ** 2)
     assert len(ratios) >= 5
     assert ratios[0] == pytest.approx(math.exp(-decay * 2 * math.pi / turning), rel=0.02)

@@ -262,12 +262,12 @@ EVIL_INLINE void push_guide(const AxisBlock& k, Ends& e, Floats side, Floats tur
     push(e.b, 1.0f, x, y, side * load(k.side_b) + turning);
 }
 
-EVIL_INLINE void begin(const JointTables& t, AxisBlock& k) {
-    Ends e{load_bodies(t.bodies, k.a), load_bodies(t.bodies, k.b)};
-    Floats turned_a = gather(t.turned, load(k.a)), turned_b = gather(t.turned, load(k.b)), s, c;
-    sine_cosine(turned_b, s, c);
+// From a's anchor to b's where the bodies are now, and the direction and arms of the pushes along it.
+EVIL_INLINE Pair aim(const JointTables& t, AxisBlock& k, const Ends& e) {
+    Floats s, c;
+    sine_cosine(gather(t.turned, load(k.b)), s, c);
     Pair b = turn(c, s, load(k.start_bx), load(k.start_by));
-    sine_cosine(turned_a, s, c);
+    sine_cosine(gather(t.turned, load(k.a)), s, c);
     Pair a = turn(c, s, load(k.start_ax), load(k.start_ay));
     Pair axis = turn(c, s, load(k.axis_x), load(k.axis_y));
     Floats dx = load(k.gap_x) + (e.b.moved_x - e.a.moved_x) + (b.x - a.x);
@@ -276,23 +276,30 @@ EVIL_INLINE void begin(const JointTables& t, AxisBlock& k) {
     Mask fixed = as_mask(k.fixed) | (inv == Floats(0.0f)); // anchors in one place: any direction will do
     Floats nx = select(fixed, axis.x, dx * inv), ny = select(fixed, axis.y, dy * inv);
     Floats far_x = a.x + dx, far_y = a.y + dy; // b's anchor from a's centre
-    Floats arm_a = far_x * ny - far_y * nx, arm_b = b.x * ny - b.y * nx;
-    Floats side_a = far_x * nx + far_y * ny, side_b = b.x * nx + b.y * ny;
     store(k.nx, nx);
     store(k.ny, ny);
-    store(k.arm_a, arm_a);
-    store(k.arm_b, arm_b);
-    store(k.side_a, side_a);
-    store(k.side_b, side_b);
+    store(k.arm_a, far_x * ny - far_y * nx);
+    store(k.arm_b, b.x * ny - b.y * nx);
+    store(k.side_a, far_x * nx + far_y * ny);
+    store(k.side_b, b.x * nx + b.y * ny);
+    return {dx, dy};
+}
+
+EVIL_INLINE void begin(const JointTables& t, AxisBlock& k) {
+    Ends e{load_bodies(t.bodies, k.a), load_bodies(t.bodies, k.b)};
+    Pair d = aim(t, k, e);
+    Floats nx = load(k.nx), ny = load(k.ny), dx = d.x, dy = d.y;
+    Floats arm_a = load(k.arm_a), arm_b = load(k.arm_b), side_a = load(k.side_a), side_b = load(k.side_b);
+    Floats turned = gather(t.turned, load(k.b)) - gather(t.turned, load(k.a));
     DriveBlock& along = t.drives[k.along];
     store(along.value, dx * nx + dy * ny);
     store(along.mass,
           inverse(e.a.inv_mass + e.b.inv_mass + e.a.inv_inertia * arm_a * arm_a + e.b.inv_inertia * arm_b * arm_b));
     push_along(k, e, sum_of(along));
-    if (k.turn != kNoDrive) begin_turn(t.drives[k.turn], e, turned_b - turned_a);
+    if (k.turn != kNoDrive) begin_turn(t.drives[k.turn], e, turned);
     if (k.guided) {
         store(k.error, dy * nx - dx * ny);
-        store(k.error_turn, load(k.base_turn) + (turned_b - turned_a));
+        store(k.error_turn, load(k.base_turn) + turned);
         guide_mass(k, e, side_a, side_b);
         push_guide(k, e, load(k.impulse_side), load(k.impulse_turn));
     }
@@ -323,8 +330,10 @@ template <bool moving> EVIL_INLINE void guide(AxisBlock& k, Ends& e, const Joint
     store(k.total_turn, load(k.total_turn) + new_turn);
 }
 
+// While relaxing, along where the bodies are by then: a push along where they were would brake what turns.
 template <bool moving> EVIL_INLINE void solve(const JointTables& t, AxisBlock& k) {
     Ends e{load_bodies(t.bodies, k.a), load_bodies(t.bodies, k.b)};
+    if (!moving) aim(t, k, e);
     DriveBlock& along = t.drives[k.along];
     if (k.turn != kNoDrive) drive_turn<moving>(t.drives[k.turn], e, t.pass);
     Floats nx = load(k.nx), ny = load(k.ny), arm_a = load(k.arm_a), arm_b = load(k.arm_b);
