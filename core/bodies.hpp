@@ -2,6 +2,7 @@
 // Rigid bodies (SPEC P1, P3, P4): the State that the solver moves.
 #include "math/transform.hpp"
 #include "refs.hpp"
+#include "shapes/shapes.hpp"
 #include <string>
 
 namespace evil {
@@ -71,6 +72,7 @@ struct Bodies { // State: rows by slot
     Slots slots;
     std::vector<Body> rows;
     std::vector<std::string> tags; // "" : none
+    std::vector<Traits> traits;    // of shapes to come
     std::uint64_t next_serial = 0;
 };
 

@@ -7,7 +7,10 @@ namespace {
 void wake_around(World& world, const std::vector<bool>& moved) {
     for (std::uint32_t body = 0; body < moved.size(); ++body)
         if (moved[body]) wake(world, body);
-    for (const Contact& c : world.contacts.rows) {
+    for (Contact& c : world.contacts.rows) {
+        if (!moved[c.body_a] && !moved[c.body_b]) continue;
+        c.settled = false;
+        if (c.sensor) continue;
         if (moved[c.body_a]) wake(world, c.body_b);
         if (moved[c.body_b]) wake(world, c.body_a);
     }
@@ -42,7 +45,7 @@ MassProblem add_many(World& world, const Recipe& recipe, const Starts& starts, c
         if (!starts.angles.empty()) row.angle = starts.angles[i];
         if (!starts.velocities.empty()) row.velocity = starts.velocities[i];
         if (!starts.spins.empty()) row.spin = starts.spins[i];
-        Added<BodyRef> one = add_body(world, row, tag, recipe.shapes);
+        Added<BodyRef> one = add_body(world, row, tag, recipe.shapes, recipe.traits);
         if (one.problem != MassProblem::none) return one.problem; // the first, or none: where it is changes no mass
         added.push_back(one.ref);
     }

@@ -9,6 +9,7 @@ namespace evil {
 struct Recipe {
     Body row;
     std::vector<NewShape> shapes;
+    Traits traits;
 };
 
 // What differs from body to body: as many as there are positions; what is empty is what the recipe says.

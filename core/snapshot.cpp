@@ -82,10 +82,12 @@ void read_payload(Reader& ar, SavedState& s) {
     visit(ar, s.gravity, s.sleep_allowed, s.steps, s.time);
     visit(ar, s.bodies.next_serial, s.shapes.next_serial, s.forces.next_serial, s.joints.next_serial);
     read_table(
-        ar, s.body_taken, [&](std::size_t n) { s.bodies.rows.resize(n), s.bodies.tags.resize(n); },
+        ar, s.body_taken,
+        [&](std::size_t n) { s.bodies.rows.resize(n), s.bodies.tags.resize(n), s.bodies.traits.resize(n); },
         [&](std::uint32_t slot) {
             visit(ar, s.bodies.rows[slot]);
             visit(ar, s.bodies.tags[slot]);
+            visit(ar, s.bodies.traits[slot]);
         });
     read_table(
         ar, s.shape_taken,
@@ -212,7 +214,8 @@ bool contacts_hold_together(const SavedState& s) {
         const Contact& c = s.contacts.rows[i];
         bool rising =
             i == 0 || Pair{s.contacts.rows[i - 1].piece_a, s.contacts.rows[i - 1].piece_b} < Pair{c.piece_a, c.piece_b};
-        if (!rising || c.count > 2 || !taken(s.piece_taken, c.piece_a) || !taken(s.piece_taken, c.piece_b))
+        if (!rising || c.count > 2 || c.passage > Passage::passing || !taken(s.piece_taken, c.piece_a) ||
+            !taken(s.piece_taken, c.piece_b))
             return false;
         const Piece &p = s.shapes.pieces[c.piece_a], &q = s.shapes.pieces[c.piece_b];
         if (c.shape_a != p.shape || c.shape_b != q.shape) return false;
@@ -230,6 +233,7 @@ void rebuild_pieces(SavedState& s) {
         for (std::uint32_t p = row.first_piece; p != kNone; p = s.shapes.pieces[p].next, ++part) {
             Piece& piece = s.shapes.pieces[p];
             piece.body = row.body;
+            piece.sensor = row.traits.sensor;
             piece.first = static_cast<std::uint32_t>(s.shapes.points.size());
             piece.count = corner_count(row, s.shapes.parts[shape], part);
             std::uint32_t room = room_of(piece, row.kind);
@@ -274,6 +278,7 @@ void restore(World& w, SavedState& s) {
     restore_slots(w.shapes.piece_slots, s.piece_taken, {}, s.shapes.piece_slots);
     s.bodies.rows.resize(s.bodies.slots.size());
     s.bodies.tags.resize(s.bodies.slots.size());
+    s.bodies.traits.resize(s.bodies.slots.size());
     s.shapes.rows.resize(s.shapes.slots.size());
     s.shapes.corners.resize(s.shapes.slots.size());
     s.shapes.parts.resize(s.shapes.slots.size());

@@ -23,9 +23,13 @@ template <class A, Like<Body> V> void visit(A& ar, V& b) {
           b.still_time, b.serial, b.born, b.first_shape, b.last_shape);
 }
 
+template <class A, Like<Traits> V> void visit(A& ar, V& t) {
+    visit(ar, t.category, t.mask, t.group, t.sensor, t.one_way, t.surface_speed);
+}
+
 template <class A, Like<Shape> V> void visit(A& ar, V& s) {
     visit(ar, s.kind, s.closed, s.body, s.next, s.first_piece, s.local, s.radius, s.mass, s.material.density,
-          s.material.friction, s.material.restitution, s.serial, s.born);
+          s.material.friction, s.material.restitution, s.traits, s.serial, s.born);
 }
 
 template <class A, Like<ManifoldPoint> V> void visit(A& ar, V& p) {
@@ -35,12 +39,12 @@ template <class A, Like<ManifoldPoint> V> void visit(A& ar, V& p) {
 
 template <class A, Like<Contact> V> void visit(A& ar, V& c) {
     visit(ar, c.piece_a, c.piece_b, c.shape_a, c.shape_b, c.body_a, c.body_b, c.axis.edge, c.axis.of_b, c.axis.known,
-          c.count, c.touching, c.struck, c.normal, c.friction, c.restitution, c.points[0], c.points[1]);
+          c.count, c.touching, c.struck, c.passage, c.normal, c.friction, c.restitution, c.points[0], c.points[1]);
 }
 
 template <class A, Like<Touch> V> void visit(A& ar, V& t) { // references by slot; generations are a process's own
     visit(ar, t.a.slot, t.b.slot, t.shape_a.slot, t.shape_b.slot, t.order[0], t.order[1], t.order[2], t.order[3],
-          t.point, t.normal, t.depth, t.impulse, t.speed);
+          t.sensor, t.point, t.normal, t.depth, t.impulse, t.speed);
 }
 
 template <class A, Like<Force> V> void visit(A& ar, V& f) {
@@ -90,6 +94,7 @@ inline void write_bodies(auto& ar, const World& w) {
     write_table(ar, w.bodies.slots, [&](std::uint32_t slot) {
         visit(ar, w.bodies.rows[slot]);
         visit(ar, w.bodies.tags[slot]);
+        visit(ar, w.bodies.traits[slot]);
     });
     write_table(ar, w.shapes.slots, [&](std::uint32_t slot) {
         visit(ar, w.shapes.rows[slot]);

@@ -72,7 +72,8 @@ template <class Reference> struct Added {
     Reference ref;
     MassProblem problem = MassProblem::none; // not none: nothing was added
 };
-Added<BodyRef> add_body(World& world, const Body& body, const std::string& tag, std::span<const NewShape> shapes);
+Added<BodyRef> add_body(World& world, const Body& body, const std::string& tag, std::span<const NewShape> shapes,
+                        const Traits& traits = {});
 void destroy_body(World& world, std::uint32_t body);
 void take_back(World& world, std::uint32_t body); // the one added last: as if it had never been tried
 Added<ShapeRef> add_shape(World& world, std::uint32_t body, const NewShape& shape);
@@ -93,6 +94,7 @@ void wake(World& world, std::uint32_t body);
 void wake_all(World& world);
 void allow_sleep(World& world, bool allowed);
 void wake_touching(World& world, std::uint32_t body); // and what rests on it
+void set_traits(World& world, std::uint32_t shape, const Traits& traits);
 void move_body(World& world, std::uint32_t body, Vec2 position, double angle);
 void set_kind(World& world, std::uint32_t body, BodyKind kind);
 void set_gravity(World& world, Vec2 gravity);

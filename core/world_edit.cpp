@@ -70,6 +70,7 @@ void unlink_shape(World& world, std::uint32_t body, std::uint32_t shape) {
 std::uint32_t attach_shape(World& world, std::uint32_t body, const NewShape& shape) {
     Shape row = shape.shape;
     row.body = body;
+    row.traits = world.bodies.traits[body];
     row.born = world.steps;
     row.made = fingerprint(shape);
     std::uint32_t slot = add_shape_row(world.shapes, row, shape.corners, shape.parts);
@@ -109,15 +110,18 @@ void drop_from_forces(World& world, std::uint32_t body) {
 
 } // namespace
 
-Added<BodyRef> add_body(World& world, const Body& body, const std::string& tag, std::span<const NewShape> shapes) {
+Added<BodyRef> add_body(World& world, const Body& body, const std::string& tag, std::span<const NewShape> shapes,
+                        const Traits& traits) {
     Bodies& bodies = world.bodies;
     std::uint32_t slot = bodies.slots.take();
     if (slot >= bodies.rows.size()) {
         bodies.rows.resize(slot + 1);
         bodies.tags.resize(slot + 1);
+        bodies.traits.resize(slot + 1);
     }
     Body& b = bodies.rows[slot] = body;
     bodies.tags[slot] = tag;
+    bodies.traits[slot] = traits;
     b.serial = bodies.next_serial++;
     b.born = world.steps;
     b.made = fingerprint(body, tag, shapes);
@@ -141,13 +145,15 @@ void destroy_body(World& world, std::uint32_t slot) {
     drop_joints_of(world, slot);
     while (world.bodies.rows[slot].first_shape != kNone) {
         std::uint32_t shape = world.bodies.rows[slot].first_shape;
-        forget_shape(world.events, world.contacts, world.shapes, world.bodies, shape);
+        forget_contacts(world.events, world.contacts, world.shapes, world.bodies,
+                        [shape](const Contact& c) { return c.shape_a == shape || c.shape_b == shape; });
         unlink_shape(world, slot, shape);
         remove_shape_row(world.shapes, shape);
     }
     world.bodies.slots.release(slot);
     world.bodies.rows[slot] = {};
     world.bodies.tags[slot].clear();
+    world.bodies.traits[slot] = {};
     publish(world, slot);
 }
 
@@ -179,7 +185,8 @@ Added<ShapeRef> add_shape(World& world, std::uint32_t body, const NewShape& shap
 void destroy_shape(World& world, std::uint32_t shape) {
     std::uint32_t body = world.shapes.rows[shape].body;
     wake_touching(world, body);
-    forget_shape(world.events, world.contacts, world.shapes, world.bodies, shape);
+    forget_contacts(world.events, world.contacts, world.shapes, world.bodies,
+                    [shape](const Contact& c) { return c.shape_a == shape || c.shape_b == shape; });
     unlink_shape(world, body, shape);
     remove_shape_row(world.shapes, shape);
     (void)update_mass(world, body); // with fewer shapes mass only shrinks; the last shape's mass is kept
@@ -241,9 +248,10 @@ void allow_sleep(World& world, bool allowed) {
 
 void wake_touching(World& world, std::uint32_t body) {
     wake(world, body);
-    for (const Contact& c : world.contacts.rows) {
-        if (c.body_a == body) wake(world, c.body_b);
-        if (c.body_b == body) wake(world, c.body_a);
+    for (Contact& c : world.contacts.rows) {
+        if (c.body_a != body && c.body_b != body) continue;
+        c.settled = false;
+        if (!c.sensor) wake(world, c.body_a == body ? c.body_b : c.body_a);
     }
     for_joints_of(world.joints, body, [&](std::uint32_t, std::uint32_t other) { wake(world, other); });
 }

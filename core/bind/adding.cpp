@@ -1,5 +1,6 @@
 // Adding bodies, one by one and many at once.
 #include "bind/refs.hpp"
+#include "bind/traits.hpp"
 #include "bind/values.hpp"
 #include "bulk.hpp"
 #include <nanobind/stl/tuple.h>
@@ -12,7 +13,7 @@ using Specs = std::vector<const NewShape*>;
 
 // The recipe's body with these shapes, made of the recipe's material.
 Recipe with_shapes(const Recipe& recipe, const Specs& specs) {
-    Recipe full{recipe.row, {}};
+    Recipe full{recipe.row, {}, recipe.traits};
     full.shapes.reserve(specs.size());
     for (const NewShape* spec : specs) {
         NewShape& shape = full.shapes.emplace_back(*spec);
@@ -81,7 +82,7 @@ std::optional<Numbers> add(World& w, const Recipe& recipe, const Specs& specs, n
         return {};
     full.row.angle = turn;
     full.row.spin = static_cast<float>(turning);
-    Added<BodyRef> added = add_body(w, full.row, name, full.shapes);
+    Added<BodyRef> added = add_body(w, full.row, name, full.shapes, full.traits);
     if (added.problem != MassProblem::none) raise_mass(added.problem, "World.add()");
     return numbers_of(w, added.ref);
 }
@@ -132,7 +133,8 @@ void bind_recipe(nb::module_& module) {
     c.def(
         "__init__",
         [](Recipe* self, int kind, float density, float mass, float friction, float restitution, float damping,
-           float angular_damping, float drag, float gravity_scale, bool bullet, bool touchable) {
+           float angular_damping, float drag, float gravity_scale, bool bullet, bool touchable,
+           std::optional<Words> traits, const char* owner) {
             Recipe r;
             Body& b = r.row;
             b.kind = static_cast<BodyKind>(kind);
@@ -146,11 +148,13 @@ void bind_recipe(nb::module_& module) {
             b.gravity_scale = gravity_scale;
             b.bullet = bullet;
             b.touchable = touchable;
+            if (traits) r.traits = to_traits(*traits, owner);
             new (self) Recipe(std::move(r));
         },
         nb::kw_only(), nb::arg("kind"), nb::arg("density"), nb::arg("mass"), nb::arg("friction"),
         nb::arg("restitution"), nb::arg("damping"), nb::arg("angular_damping"), nb::arg("drag"),
-        nb::arg("gravity_scale"), nb::arg("bullet"), nb::arg("touchable"));
+        nb::arg("gravity_scale"), nb::arg("bullet"), nb::arg("touchable"), nb::arg("traits") = nb::none(),
+        nb::arg("owner") = "World.add()");
 }
 
 } // namespace

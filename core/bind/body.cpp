@@ -1,4 +1,4 @@
-#include "bind/handle.hpp"
+#include "bind/traits.hpp"
 
 namespace evil::bind {
 namespace {
@@ -291,6 +291,7 @@ void register_body(nb::module_& module) {
     bind_pushes(c);
     bind_mass(c);
     bind_state(c);
+    bind_traits(c);
 }
 
 } // namespace evil::bind

@@ -103,7 +103,11 @@ void register_events(nb::module_& module, nb::class_<World>& world) {
     world.def_prop_ro("ended", [](const World& w) { return TouchRows{w.events.ended}; });
     world.def_prop_ro("hit", [](const World& w) { return TouchRows{w.events.hit}; });
     world.def_prop_ro("active",
-                      [](const World& w) { return TouchRows{active_touches(w.contacts, w.shapes, w.bodies)}; });
+                      [](const World& w) { return TouchRows{active_touches(w.contacts, w.shapes, w.bodies, false)}; });
+    world.def_prop_ro("entered", [](const World& w) { return TouchRows{w.events.entered}; });
+    world.def_prop_ro("left", [](const World& w) { return TouchRows{w.events.left}; });
+    world.def_prop_ro("inside",
+                      [](const World& w) { return TouchRows{active_touches(w.contacts, w.shapes, w.bodies, true)}; });
     world.def_prop_ro("slept", [](const World& w) { return references(w.events.slept); });
     world.def_prop_ro("woke", [](const World& w) { return references(w.events.woke); });
     world.def_prop_rw(

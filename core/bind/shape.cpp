@@ -1,6 +1,6 @@
 // Shape definitions (what a user asks for) and handles (what is on a body).
-#include "bind/handle.hpp"
 #include "bind/shapes.hpp"
+#include "bind/traits.hpp"
 #include "shapes/rounded.hpp"
 
 namespace evil::bind {
@@ -176,6 +176,7 @@ void register_shape(nb::module_& module) {
         },
         nb::arg("world"), nb::arg("slot"), nb::arg("generation"));
     bind_identity(c);
+    bind_traits(c);
     bind_material<&Material::friction>(c, "friction", 1e6f, "Friction coefficient; a pair mixes its two as sqrt(a b).");
     bind_material<&Material::restitution>(c, "restitution", 1.0f, "0: no bounce, 1: full; a pair takes the larger.");
     def_value(

@@ -1,4 +1,4 @@
-#include "bind/handle.hpp"
+#include "bind/traits.hpp"
 #include "bind/views.hpp"
 #include "snapshot.hpp"
 #include <nanobind/stl/pair.h>
@@ -194,6 +194,9 @@ void bind_objects(nb::class_<World>& c) {
 } // namespace
 
 void register_world(nb::module_& module) {
+    module.def(
+        "check_traits", [](Words words, const char* owner) { (void)to_traits(words, owner); }, nb::arg("words"),
+        nb::arg("owner"), "Raise what is wrong with any of them.");
     module.def("use", used, nb::arg("spec"), nb::arg("offset"), nb::arg("angle"), nb::arg("density"),
                nb::arg("friction"), nb::arg("restitution"), "A shape with the place and material of one use.");
     nb::class_<World> c(module, "World", "The simulation's state and kernels.");

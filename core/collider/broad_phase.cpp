@@ -123,7 +123,8 @@ void fill(Grid& grid, const Placements& placed, const Bodies& bodies, std::span<
         std::uint32_t p = items[i].piece, body = placed.bodies[p];
         grid.cells[i] = items[i].cell;
         grid.pieces[i] = p;
-        grid.owners[i] = body | (bodies.rows[body].kind == BodyKind::dynamic ? kDynamicOwner : 0u);
+        bool seeks = bodies.rows[body].kind == BodyKind::dynamic || placed.sensors[p];
+        grid.owners[i] = body | (seeks ? kSeekingOwner : 0u);
         grid.low_x[i] = placed.low_x[p];
         grid.low_y[i] = placed.low_y[p];
         grid.high_x[i] = placed.high_x[p];

@@ -47,7 +47,8 @@ struct BroadPhase { // Scratch
     std::vector<std::uint32_t> starts; // by piece: where its pairs go
 };
 
-// All pairs of pieces of different bodies, at least one of them dynamic, whose bounds overlap. Sorted. Pairs of very
+// All pairs of pieces whose bounds overlap, at least one of a dynamic body or a sensor, of different
+// bodies. Sorted. Pairs of very
 // different size are tested along the sides of the larger form as well.
 void find_pairs(BroadPhase& broad, const Placements& placed, const Bodies& bodies, std::vector<Pair>& pairs,
                 InstructionSet set, Threads& threads);

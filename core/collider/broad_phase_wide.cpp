@@ -32,7 +32,7 @@ EVIL_INLINE Seeker seeker(const GridView& g, std::size_t i) {
 }
 
 EVIL_INLINE void add(FoundPairs& found, const Seeker& e, std::uint32_t piece, std::uint32_t owner) {
-    if (e.owner == owner || ((e.owner | owner) & kDynamicOwner) == 0) return;
+    if (((e.owner ^ owner) & ~kSeekingOwner) == 0 || ((e.owner | owner) & kSeekingOwner) == 0) return;
     std::uint64_t a = e.piece < piece ? e.piece : piece, b = e.piece < piece ? piece : e.piece;
     found.list[found.count++] = a << 32 | b;
 }

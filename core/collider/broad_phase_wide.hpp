@@ -5,7 +5,7 @@
 
 namespace evil {
 
-inline constexpr std::uint32_t kDynamicOwner = 0x80000000u; // set in the owner of an entry whose body is dynamic
+inline constexpr std::uint32_t kSeekingOwner = 0x80000000u; // set in the owner of an entry that is dynamic or a sensor
 
 // A grid's entries, sorted by cell: row << column_bits | column. Columns count from 1, and the last is not the last that
 // would fit, so that the cells on either side of a column are in its row. Bounds may be read eight beyond the last.

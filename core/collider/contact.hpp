@@ -22,18 +22,27 @@ struct Axis {
     bool of_b = false, known = false;
 };
 
+// A contact with a platform that is solid from one side.
+enum class Passage : std::uint8_t { undecided, solid, passing };
+
 struct Contact {
     std::uint32_t piece_a = 0, piece_b = 0; // key, piece_a < piece_b
     std::uint32_t shape_a = 0, shape_b = 0, body_a = 0, body_b = 0;
     Axis axis;
-    std::uint8_t count = 0; // points in the manifold
-    bool fresh = true;      // found in this step; not saved, since no step leaves one so
-    bool touching = false;  // they overlapped, or pushed each other, in the last step
-    bool struck = false;    // and that was told as a hit
+    std::uint8_t count = 0;               // points in the manifold
+    bool fresh = true;                    // found in this step; not saved, since no step leaves one so
+    bool touching = false;                // they overlapped, or pushed each other, in the last step
+    bool struck = false;                  // and that was told as a hit
+    Passage passage = Passage::undecided; // one_way: what holds until they are apart
     // What follows from the shapes (see mark), not saved:
     bool compound = false; // a shape of the two has other pieces that may touch too
+    bool sensor = false;   // one sees the other: it never has points
+    bool one_way = false;  // a shape of the two is solid from one side only
+    bool settled = false;  // sensor: looked at since the two rest; not saved either
     Vec2 normal;           // world, from a to b
     float friction = 0.0f, restitution = 0.0f;
+    float surface_speed =
+        0.0f; // m/s that friction brings b to along the tangent (n turned right), seen from a; see mark
     ManifoldPoint points[2];
 };
 
@@ -52,6 +61,7 @@ struct Contacts {
         std::uint64_t material_changes = ~std::uint64_t{0}; // Shapes' when materials were mixed last
         std::vector<Contact> rows;
         std::vector<std::uint32_t> ways[kWays]; // rows by how their manifold is found
+        std::vector<std::uint32_t> one_way;     // rows whose passage is to be decided
         std::vector<Contact> parted;            // touched in the last step, and now not even their bounds meet
     } scratch;
 };

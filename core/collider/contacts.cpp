@@ -1,4 +1,5 @@
 #include "collider/contacts.hpp"
+#include "collider/filter.hpp"
 
 namespace evil {
 namespace {
@@ -13,6 +14,10 @@ Contact new_contact(Pair pair, const Shapes& shapes) {
     c.body_b = shapes.pieces[pair.b].body;
     mark(c, shapes);
     return c;
+}
+
+const Traits& traits_of(std::uint32_t piece, const Shapes& shapes) {
+    return shapes.rows[shapes.pieces[piece].shape].traits;
 }
 
 Pair key(const Contact& c) { return {c.piece_a, c.piece_b}; }
@@ -32,6 +37,9 @@ void match_pairs(Contacts& contacts, const Shapes& shapes, Joints& joints) {
     bool all_had_rows = s.matched_rows == contacts.rows.size() && s.matched_rows == s.pairs.size();
     if (!tied && all_had_rows && s.matched == s.pairs) return;
     auto apart = [&](Pair pair) { return kept_apart(joints, shapes.pieces[pair.a].body, shapes.pieces[pair.b].body); };
+    auto meet = [&](Pair pair) {
+        return !apart(pair) && may_meet(traits_of(pair.a, shapes), traits_of(pair.b, shapes));
+    };
     s.rows.clear();
     auto old = contacts.rows.begin(), end = contacts.rows.end();
     for (auto pair = s.pairs.begin(); pair != s.pairs.end();) {
@@ -44,7 +52,7 @@ void match_pairs(Contacts& contacts, const Shapes& shapes, Joints& joints) {
         if (old != end && key(*old) < *pair) continue;
         if (old != end && key(*old) == *pair)
             drop(contacts, *old++);
-        else if (!apart(*pair))
+        else if (meet(*pair))
             s.rows.push_back(new_contact(*pair, shapes));
         ++pair;
     }
@@ -57,6 +65,10 @@ void match_pairs(Contacts& contacts, const Shapes& shapes, Joints& joints) {
 void mark(Contact& c, const Shapes& shapes) {
     c.compound = shapes.pieces[shapes.rows[c.shape_a].first_piece].next != kNone ||
                  shapes.pieces[shapes.rows[c.shape_b].first_piece].next != kNone;
+    const Traits &s = shapes.rows[c.shape_a].traits, &t = shapes.rows[c.shape_b].traits;
+    c.sensor = s.sensor || t.sensor;
+    c.one_way = !c.sensor && (s.one_way != Vec2{} || t.one_way != Vec2{});
+    c.surface_speed = s.surface_speed + t.surface_speed;
 }
 
 } // namespace evil

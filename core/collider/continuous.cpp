@@ -1,4 +1,5 @@
 #include "collider/continuous.hpp"
+#include "collider/filter.hpp"
 #include "collider/queries.hpp"
 
 namespace evil {
@@ -8,6 +9,7 @@ namespace {
 float inner_radius(const Body& body, const Shapes& shapes) {
     float best = 0.0f;
     for (std::uint32_t s = body.first_shape; s != kNone; s = shapes.rows[s].next) {
+        if (shapes.rows[s].traits.sensor) continue;
         for (std::uint32_t p = shapes.rows[s].first_piece; p != kNone; p = shapes.pieces[p].next) {
             const Piece& piece = shapes.pieces[p];
             float inside = piece.radius - length(body.local_centre - piece.centre);
@@ -28,13 +30,22 @@ struct Wall {
     Vec2 normal;
 };
 
-std::optional<Wall> first_wall(const Bodies& bodies, const Shapes& shapes, Vec2 start, Vec2 end) {
+bool in_the_way(const Shapes& shapes, const Traits& wall, Rot turn, const Body& mover, Vec2 path) {
+    for (std::uint32_t s = mover.first_shape; s != kNone; s = shapes.rows[s].next)
+        if (blocks(wall, turn, shapes.rows[s].traits, path)) return true;
+    return false;
+}
+
+std::optional<Wall> first_wall(const Bodies& bodies, const Shapes& shapes, const Body& mover, Vec2 start, Vec2 end) {
     std::optional<Wall> first;
     for (std::uint32_t p = 0; p < shapes.piece_slots.size(); ++p) {
         const Piece& piece = shapes.pieces[p];
         if (!shapes.piece_slots.taken(p) || bodies.rows[piece.body].kind != BodyKind::fixed) continue;
         std::optional<Entry> hit = enter(shapes, piece, bodies.rows[piece.body].pose, start, end);
-        if (hit && (!first || hit->fraction < first->fraction)) first = {hit->fraction, hit->normal};
+        if (!hit || (first && hit->fraction >= first->fraction)) continue;
+        const Traits& wall = shapes.rows[piece.shape].traits;
+        if (in_the_way(shapes, wall, bodies.rows[piece.body].pose.q, mover, end - start))
+            first = {hit->fraction, hit->normal};
     }
     return first;
 }
@@ -48,7 +59,7 @@ void stop_at_walls(std::span<const Path> paths, Bodies& bodies, const Shapes& sh
         Vec2 moved = b.centre - path.start;
         float radius = inner_radius(b, shapes);
         if (length_squared(moved) <= radius * radius) continue;
-        std::optional<Wall> hit = first_wall(bodies, shapes, path.start, b.centre);
+        std::optional<Wall> hit = first_wall(bodies, shapes, b, path.start, b.centre);
         if (!hit) continue;
         float into = -dot(moved, hit->normal); // metres of the path that lead into the wall
         float back = into > 0.0f ? std::max(radius, kSlop) / into : 0.0f;

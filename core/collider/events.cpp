@@ -1,4 +1,6 @@
 #include "collider/events.hpp"
+#include "collider/narrow_phase.hpp"
+#include <tuple>
 
 namespace evil {
 namespace {
@@ -19,8 +21,21 @@ bool hits(const Contact& c, float speed) {
     return false;
 }
 
-bool earlier(const Touch& s, const Touch& t) { return std::ranges::lexicographical_compare(s.order, t.order); }
-bool same(const Touch& s, const Touch& t) { return std::ranges::equal(s.order, t.order); }
+bool at_rest(const Body& b) { return b.kind == BodyKind::fixed || (b.kind == BodyKind::dynamic && !b.awake); }
+
+// Does the sensor of this pair see the other, where they are after the step? Of two at rest it knows.
+bool sees(Contact& c, const Shapes& shapes, const Bodies& bodies) {
+    const Body &a = bodies.rows[c.body_a], &b = bodies.rows[c.body_b];
+    bool resting = at_rest(a) && at_rest(b);
+    if (resting && c.settled) return c.touching;
+    c.settled = resting;
+    Axis none;
+    const Piece &p = shapes.pieces[c.piece_a], &q = shapes.pieces[c.piece_b];
+    return collide(place(shapes, p, a.pose), place(shapes, q, b.pose), 0.0f, none).count > 0;
+}
+
+bool earlier(const Touch& s, const Touch& t) { return std::tie(s.order, s.sensor) < std::tie(t.order, t.sensor); }
+bool same(const Touch& s, const Touch& t) { return s.order == t.order && s.sensor == t.sensor; }
 
 // Where they touch and how hard. Of two that have parted: where they touched last.
 void describe(Touch& t, const Contact& c, Vec2 centre_a) {
@@ -44,7 +59,8 @@ void describe(Touch& t, const Contact& c, Vec2 centre_a) {
 }
 
 Touch touch_of(const Contact& c, const Shapes& shapes, const Bodies& bodies) {
-    bool swap = bodies.rows[c.body_b].serial < bodies.rows[c.body_a].serial;
+    bool swap =
+        c.sensor ? shapes.rows[c.shape_b].traits.sensor : bodies.rows[c.body_b].serial < bodies.rows[c.body_a].serial;
     std::uint32_t a = swap ? c.body_b : c.body_a, b = swap ? c.body_a : c.body_b;
     std::uint32_t sa = swap ? c.shape_b : c.shape_a, sb = swap ? c.shape_a : c.shape_b;
     Touch t;
@@ -56,6 +72,8 @@ Touch touch_of(const Contact& c, const Shapes& shapes, const Bodies& bodies) {
     t.order[1] = bodies.rows[b].serial;
     t.order[2] = shapes.rows[sa].serial;
     t.order[3] = shapes.rows[sb].serial;
+    t.sensor = c.sensor;
+    if (c.sensor) return t;
     t.normal = swap ? -c.normal : c.normal;
     describe(t, c, bodies.rows[c.body_a].centre);
     return t;
@@ -80,7 +98,7 @@ void gather_changes(Events& events, Contacts& contacts, const Shapes& shapes, co
     for (const Contact& c : contacts.scratch.parted) add(touch_of(c, shapes, bodies), true, false, false);
     for (Contact& c : contacts.rows) {
         bool was = c.touching, struck = hits(c, events.hit_speed), again = struck && c.struck;
-        c.touching = touches_now(c);
+        c.touching = c.sensor ? sees(c, shapes, bodies) : touches_now(c);
         c.struck = struck;
         if (c.compound ? was || c.touching : was != c.touching || (struck && !again))
             add(touch_of(c, shapes, bodies), was, c.touching, struck && !again);
@@ -90,10 +108,11 @@ void gather_changes(Events& events, Contacts& contacts, const Shapes& shapes, co
 }
 
 void tell(Events& events, const Events::Change& change) {
-    if (change.is && !change.was) events.begun.push_back(change.touch);
+    bool sensor = change.touch.sensor;
+    if (change.is && !change.was) (sensor ? events.entered : events.begun).push_back(change.touch);
     if (change.struck) events.hit.push_back(change.touch);
     if (!change.was || change.is) return;
-    Touch& t = events.ended.emplace_back(change.touch);
+    Touch& t = (sensor ? events.left : events.ended).emplace_back(change.touch);
     t.depth = t.impulse = t.speed = 0.0f;
 }
 
@@ -102,9 +121,12 @@ void tell_changes(Events& events) {
     events.begun.clear();
     events.ended.clear();
     events.hit.clear();
+    events.entered.clear();
+    events.left.clear();
     if (!std::ranges::is_sorted(changes, earlier, &Events::Change::touch))
         std::ranges::sort(changes, [](const Events::Change& c, const Events::Change& d) {
-            return earlier(c.touch, d.touch) || (same(c.touch, d.touch) && c.number < d.number);
+            return std::tie(c.touch.order, c.touch.sensor, c.number) <
+                   std::tie(d.touch.order, d.touch.sensor, d.number);
         });
     for (std::size_t i = 0; i < changes.size();) {
         Events::Change& whole = changes[i++];
@@ -148,10 +170,10 @@ void find_events(Events& events, Contacts& contacts, const Shapes& shapes, Bodie
     tell_sleep(events, bodies);
 }
 
-std::vector<Touch> active_touches(const Contacts& contacts, const Shapes& shapes, const Bodies& bodies) {
+std::vector<Touch> active_touches(const Contacts& contacts, const Shapes& shapes, const Bodies& bodies, bool sensors) {
     std::vector<Touch> all;
     for (const Contact& c : contacts.rows)
-        if (c.touching) all.push_back(touch_of(c, shapes, bodies));
+        if (c.touching && c.sensor == sensors) all.push_back(touch_of(c, shapes, bodies));
     std::ranges::stable_sort(all, earlier);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -164,12 +186,8 @@ std::vector<Touch> active_touches(const Contacts& contacts, const Shapes& shapes
     return all;
 }
 
-void forget_shape(Events& events, Contacts& contacts, const Shapes& shapes, const Bodies& bodies, std::uint32_t shape) {
-    std::erase_if(contacts.rows, [&](const Contact& c) {
-        if (c.shape_a != shape && c.shape_b != shape) return false;
-        if (c.touching) events.lost.push_back(touch_of(c, shapes, bodies));
-        return true;
-    });
+void lose(Events& events, const Contact& contact, const Shapes& shapes, const Bodies& bodies) {
+    events.lost.push_back(touch_of(contact, shapes, bodies));
 }
 
 } // namespace evil

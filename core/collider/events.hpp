@@ -1,16 +1,19 @@
 #pragma once
-// What happened in a step, told after it (SPEC C10): contacts that began, ended or hit, bodies that fell asleep or woke.
+// What happened in a step, told after it (SPEC C10): contacts that began, ended or hit, sensors
+// entered or left, bodies that fell asleep or woke.
 // The order is a promise: that of creation, of the older body of a contact, then of the younger, then of their shapes.
 #include "collider/contact.hpp"
+#include <array>
 
 namespace evil {
 
-// Two shapes that touch, however many of their pieces do.
+// Two shapes that touch, however many of their pieces do; or a sensor and what it sees.
 struct Touch {
-    BodyRef a, b; // a was created first
+    BodyRef a, b; // a was created first, or has the sensor
     ShapeRef shape_a, shape_b;
-    std::uint64_t order[4] = {}; // serials of the bodies, then of the shapes
-    Vec2 point, normal;          // normal from a to b
+    std::array<std::uint64_t, 4> order{}; // serials of the bodies, then of the shapes
+    bool sensor = false;
+    Vec2 point, normal; // normal from a to b
     float depth = 0.0f, impulse = 0.0f, speed = 0.0f;
 };
 
@@ -22,6 +25,7 @@ struct Events {
 
     // Results of the last step
     std::vector<Touch> begun, ended, hit;
+    std::vector<Touch> entered, left; // of sensors
     std::vector<BodyRef> slept, woke;
 
     struct Change { // a contact, or a piece's part in one, that may be told
@@ -37,10 +41,20 @@ struct Events {
 // After the solver: what is told of this step. Only what has changed is worked out in full.
 void find_events(Events& events, Contacts& contacts, const Shapes& shapes, Bodies& bodies);
 
-// All that touch now, in order.
-std::vector<Touch> active_touches(const Contacts& contacts, const Shapes& shapes, const Bodies& bodies);
+// All that touch now, or all that sensors see, in order.
+std::vector<Touch> active_touches(const Contacts& contacts, const Shapes& shapes, const Bodies& bodies, bool sensors);
 
-// Before a shape goes: drop its contacts, and remember to tell their end.
-void forget_shape(Events& events, Contacts& contacts, const Shapes& shapes, const Bodies& bodies, std::uint32_t shape);
+// Before shapes go or change: remember to tell that this contact has ended.
+void lose(Events& events, const Contact& contact, const Shapes& shapes, const Bodies& bodies);
+
+// Drop the contacts that `which` says. If they meet still, the next step finds them anew, and nothing is told.
+inline void forget_contacts(Events& events, Contacts& contacts, const Shapes& shapes, const Bodies& bodies,
+                            auto&& which) {
+    std::erase_if(contacts.rows, [&](const Contact& c) {
+        bool goes = which(c);
+        if (goes && c.touching) lose(events, c, shapes, bodies);
+        return goes;
+    });
+}
 
 } // namespace evil

@@ -2,6 +2,7 @@
 #include "collider/contacts.hpp"
 #include "collider/manifolds_wide.hpp"
 #include "collider/narrow_phase.hpp"
+#include "collider/one_way.hpp"
 
 namespace evil {
 namespace {
@@ -55,12 +56,15 @@ void sort_by_way(Contacts& contacts, const Placements& placed, const Shapes& sha
     bool mix_all = s.material_changes != shapes.material_changes;
     s.material_changes = shapes.material_changes;
     for (auto& way : s.ways) way.clear();
+    s.one_way.clear();
     for (std::uint32_t row = 0; row < contacts.rows.size(); ++row) {
         Contact& c = contacts.rows[row];
         unsigned a = placed.kinds[c.piece_a], b = placed.kinds[c.piece_b];
         if (mix_all || c.fresh) mix_materials(c, shapes);
         if (!c.fresh && (a & b & kResting)) continue;
         c.fresh = false;
+        if (c.sensor) continue; // looked at after the step: collider/events.cpp
+        if (c.one_way) s.one_way.push_back(row);
         s.ways[way_of(a & ~unsigned{kResting}, b & ~unsigned{kResting})].push_back(row);
     }
 }
@@ -185,6 +189,7 @@ void update_manifolds(Contacts& contacts, const Placements& placed, const Shapes
     parallel_for(threads, rest.size(), kGrain / 8, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) update_one(contacts.rows[rest[i]], shapes, bodies, dt);
     });
+    for (std::uint32_t row : contacts.scratch.one_way) decide_passage(contacts.rows[row], shapes, bodies, dt);
 }
 
 void update_manifolds_one_by_one(Contacts& contacts, const Shapes& shapes, const Bodies& bodies, float dt) {

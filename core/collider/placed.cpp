@@ -15,6 +15,7 @@ constexpr std::size_t kGrain = 1024; // pieces
 void grow(Placements& placed, std::size_t pieces) {
     std::size_t whole = (pieces + 7) / 8 * 8;
     placed.bodies.resize(whole);
+    placed.sensors.resize(whole);
     placed.forms.resize(whole);
     placed.octaves.resize(whole);
     placed.kinds.resize(whole);
@@ -26,6 +27,7 @@ void note_body(Placements& placed, const Shapes& shapes, const Bodies& bodies, s
     const Body& b = bodies.rows[body];
     bool resting = b.kind == BodyKind::fixed || (b.kind == BodyKind::dynamic && !b.awake);
     placed.bodies[p] = body;
+    placed.sensors[p] = shapes.pieces[p].sensor;
     placed.kinds[p] =
         static_cast<std::uint8_t>(static_cast<unsigned>(shapes.form_kinds[p]) | (resting ? kResting : 0u));
 }

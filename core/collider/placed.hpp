@@ -30,7 +30,8 @@ static_assert(sizeof(PlacedForm) == 64);
 
 struct Placements { // Scratch, by piece slot; rounded up to whole lanes
     std::vector<std::uint32_t> bodies;
-    std::vector<std::uint8_t> kinds; // FormKind, and kResting where nothing moves the body
+    std::vector<std::uint8_t> kinds;   // FormKind, and kResting where nothing moves the body
+    std::vector<std::uint8_t> sensors; // 1: of a sensor, which sees whatever comes
     std::vector<PlacedForm> forms;
     std::vector<float> low_x, low_y, high_x, high_y; // bounds, grown by half the margin and by what it may move
     std::vector<std::int32_t> octaves; // floor(log2) of the bounds' longer side; kNoOctave for slots without a piece

@@ -91,7 +91,7 @@ DebugCount draw_debug(const Overlay& overlay, const World& world, const Affine& 
         if (body.kind == BodyKind::dynamic && !body.awake) ++count.asleep;
     }
     for (const Contact& contact : world.contacts.rows) {
-        if (!contact.touching) continue;
+        if (!contact.touching || contact.sensor) continue;
         draw_contact(overlay, world, contact, view, look);
         ++count.contacts;
     }

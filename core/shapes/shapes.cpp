@@ -133,6 +133,7 @@ std::uint32_t add_shape_row(Shapes& shapes, const Shape& shape, std::vector<Vec2
         Piece& piece = shapes.pieces[p] = {};
         piece.shape = slot;
         piece.body = shape.body;
+        piece.sensor = shape.traits.sensor;
         piece.first = static_cast<std::uint32_t>(shapes.points.size());
         piece.count = corner_count(shape, shapes.parts[slot], i);
         std::uint32_t room = room_of(piece, shape.kind);

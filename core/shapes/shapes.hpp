@@ -14,6 +14,17 @@ struct Material {
     float density = 1.0f, friction = 0.6f, restitution = 0.0f;
 };
 
+// How a shape deals with those it meets. A body holds what its later shapes get.
+struct Traits {
+    std::uint32_t category = 1;       // bits: what it is
+    std::uint32_t mask = 0xffffffffu; // bits: what it meets
+    std::int32_t group = 0;           // two in one group, not 0, meet always if it is positive, never if negative
+    bool sensor = false;              // sees what overlaps it, pushes nothing
+    Vec2 one_way;                     // the side from which it is solid, body frame, of length 1; 0: from everywhere
+    float surface_speed = 0.0f;       // m/s along its outline, clockwise: to the right on top
+    friend bool operator==(const Traits&, const Traits&) = default;
+};
+
 struct Shape {
     ShapeKind kind = ShapeKind::circle;
     bool closed = false; // chain: its last point is joined to its first
@@ -24,6 +35,7 @@ struct Shape {
     float radius = 0.0f; // of a circle, or of the skin round a polygon's or line's corners; before `local`
     float mass = 0.0f;   // particle
     Material material;
+    Traits traits;
     std::uint64_t serial = 0, born = 0, made = 0;
 };
 
@@ -34,6 +46,7 @@ struct Piece {
     std::uint32_t next = kNone; // next piece of the same shape
     std::uint32_t first = 0;    // of its corners and outward normals in the pool; normal i is of edge i to i + 1
     std::uint16_t count = 0;    // of corners, counter-clockwise
+    bool sensor = false;        // as its shape
     std::uint8_t ghosts = 0;    // kGhostBefore, kGhostAfter: where the chain comes from and goes on, after the corners
     Vec2 centre;                // of the circle, or of the corners' bounds
     float radius = 0.0f;        // metres of skin: of a circle all of it, of most polygons none

@@ -31,6 +31,7 @@ struct alignas(32) ContactBlock {
     std::uint32_t a[8], b[8]; // rows of bodies; 0 in lanes without a contact
     float nx[8], ny[8];       // normal from a to b
     float friction[8];
+    float surface_speed[8];                     // m/s along the tangent that friction works toward
     BlockPoint points[2];                       // the second has no mass in lanes with one point
     float bias_rate, mass_scale, impulse_scale; // softness, alike in all lanes: a block is all walls, or all bodies
 };

@@ -86,6 +86,7 @@ void fill_lane(Solver& solver, Bounce& bounce, const Contact& c) {
     block.nx[i] = c.normal.x;
     block.ny[i] = c.normal.y;
     block.friction[i] = c.friction;
+    block.surface_speed[i] = c.surface_speed;
     Speeds v = speeds(a, b, frame);
     for (std::uint8_t p = 0; p < c.count; ++p) {
         fill_point(block.points[p], i, c.points[p], frame, a, b);

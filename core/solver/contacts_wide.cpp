@@ -87,9 +87,9 @@ EVIL_INLINE Floats push_normal(BlockPoint& p, const ContactBlock& k, const Turne
 }
 
 // Friction within Coulomb's cone, at rest and sliding (SPEC C5).
-EVIL_INLINE Floats push_tangent(BlockPoint& p, Floats friction, Relative& v, Ends& e) {
+EVIL_INLINE Floats push_tangent(BlockPoint& p, Floats friction, Floats surface_speed, Relative& v, Ends& e) {
     Floats an = load(p.arm_an), bn = load(p.arm_bn), before = load(p.tangent_impulse);
-    Floats speed = v.t - e.b.spin * bn + e.a.spin * an;
+    Floats speed = v.t - e.b.spin * bn + e.a.spin * an - surface_speed;
     Floats most = friction * load(p.normal_impulse);
     Floats after = clamp(before - load(p.tangent_mass) * speed, -most, most);
     Floats impulse = after - before;
@@ -102,13 +102,13 @@ EVIL_INLINE Floats push_tangent(BlockPoint& p, Floats friction, Relative& v, End
 
 template <bool soft> EVIL_INLINE void solve(SolverBody* bodies, ContactBlock& k, Floats inv_h) {
     Ends e{load_bodies(bodies, k.a), load_bodies(bodies, k.b)};
-    Floats nx = load(k.nx), ny = load(k.ny), friction = load(k.friction);
+    Floats nx = load(k.nx), ny = load(k.ny), friction = load(k.friction), belt = load(k.surface_speed);
     Relative v = relative(e, nx, ny);
     Turned t = turned(e, nx, ny);
     Floats along_n = push_normal<soft>(k.points[0], k, t, v, e, inv_h);
     along_n += push_normal<soft>(k.points[1], k, t, v, e, inv_h);
-    Floats along_t = push_tangent(k.points[0], friction, v, e);
-    along_t += push_tangent(k.points[1], friction, v, e);
+    Floats along_t = push_tangent(k.points[0], friction, belt, v, e);
+    along_t += push_tangent(k.points[1], friction, belt, v, e);
     apply(e, nx, ny, along_n, along_t);
     store_bodies(bodies, k.a, e.a);
     store_bodies(bodies, k.b, e.b);

@@ -63,8 +63,9 @@ void wake_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, cons
             solver.island_awake[solver.island_of[slot]] = 1;
     for (const Contact& c : contacts.rows) {
         if (c.count == 0) continue;
-        if (stirs(bodies.rows[c.body_a])) solver.island_awake[solver.island_of[c.body_b]] = 1;
-        if (stirs(bodies.rows[c.body_b])) solver.island_awake[solver.island_of[c.body_a]] = 1;
+        bool belt = c.surface_speed != 0.0f;
+        if (belt || stirs(bodies.rows[c.body_a])) solver.island_awake[solver.island_of[c.body_b]] = 1;
+        if (belt || stirs(bodies.rows[c.body_b])) solver.island_awake[solver.island_of[c.body_a]] = 1;
     }
     for (std::uint32_t i = 0; i < joints.slots.size(); ++i) {
         if (!joints.slots.taken(i)) continue;

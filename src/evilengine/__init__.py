@@ -35,7 +35,9 @@ from evilengine.world.body import Body, Shape
 from evilengine.world.contacts import Contact
 from evilengine.world.forces import ConstantForce, Drag, Force, Gravity, Medium, Pull, Spring
 from evilengine.world.queries import RayHit
+from evilengine.world.sensors import Visit
 from evilengine.world.shapes import Capsule, Chain, Circle, Particle, Polygon, Rectangle, Segment, Triangle
+from evilengine.world.traits import ALL
 from evilengine.world.world import World
 
 if TYPE_CHECKING:
@@ -44,6 +46,7 @@ if TYPE_CHECKING:
 __version__ = VERSION
 
 __all__ = [
+    "ALL",
     "ArgumentError",
     "ArgumentTypeError",
     "AssetError",
@@ -78,6 +81,7 @@ __all__ = [
     "StaleReferenceError",
     "Triangle",
     "Vec2",
+    "Visit",
     "World",
     "joints",
     "math",

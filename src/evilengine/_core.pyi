@@ -69,6 +69,60 @@ class Shape:
     def _bury(self, arg: int, /) -> None: ...
 
     @property
+    def category(self) -> int:
+        """What it is, as bits of a number: 1 at first. See `mask`."""
+
+    @category.setter
+    def category(self, value: int, /) -> None: ...
+
+    @property
+    def mask(self) -> int:
+        """
+        What it meets, as bits: two meet if the category of each has a bit of the other's mask. evil.ALL at first.
+        """
+
+    @mask.setter
+    def mask(self, value: int, /) -> None: ...
+
+    @property
+    def group(self) -> int:
+        """
+        Two in the same group, not 0, meet whatever the masks say if it is positive, and never if it is negative.
+        """
+
+    @group.setter
+    def group(self, value: int, /) -> None: ...
+
+    @property
+    def sensor(self) -> bool:
+        """
+        A sensor sees what overlaps it (`world.sensors`, `body.on_enter`), and neither pushes nor is pushed.
+        """
+
+    @sensor.setter
+    def sensor(self, value: bool, /) -> None: ...
+
+    @property
+    def one_way(self) -> evilengine.values.vec2.Vec2 | None:
+        """
+        The side from which it is solid, in the body's frame: what comes from there stands, what comes from elsewhere passes through. True means (0, 1), above; None, at first, solid from everywhere.
+        """
+
+    @one_way.setter
+    def one_way(self, value: evilengine.values.vec2.Point | bool | None, /) -> None: ...
+
+    @property
+    def surface_speed(self) -> float:
+        """
+        Metres a second at which its surface runs round it, clockwise: on top to the right. Friction hands it on.
+        """
+
+    @surface_speed.setter
+    def surface_speed(self, value: float, /) -> None: ...
+
+    def _set_traits(self, arg: dict[str, Any], /) -> None: ...
+
+    @property
     def friction(self) -> float:
         """Friction coefficient; a pair mixes its two as sqrt(a b)."""
 
@@ -110,6 +164,9 @@ class Shape:
     def _apply_matrix(self, arg: object, /) -> None: ...
 
     def _destroy(self) -> None: ...
+
+def check_traits(words: dict[str, Any], owner: str) -> None:
+    """Raise what is wrong with any of them."""
 
 def use(spec: ShapeSpec, offset: object, angle: float, density: float, friction: float, restitution: float) -> ShapeSpec:
     """A shape with the place and material of one use."""
@@ -208,6 +265,15 @@ class World:
     def active(self) -> Touches: ...
 
     @property
+    def entered(self) -> Touches: ...
+
+    @property
+    def left(self) -> Touches: ...
+
+    @property
+    def inside(self) -> Touches: ...
+
+    @property
     def slept(self) -> list[tuple[int, int]]: ...
 
     @property
@@ -260,7 +326,7 @@ class World:
 class Recipe:
     """What new bodies shall be, wherever they are. The face has checked it."""
 
-    def __init__(self, *, kind: int, density: float, mass: float, friction: float, restitution: float, damping: float, angular_damping: float, drag: float, gravity_scale: float, bullet: bool, touchable: bool) -> None: ...
+    def __init__(self, *, kind: int, density: float, mass: float, friction: float, restitution: float, damping: float, angular_damping: float, drag: float, gravity_scale: float, bullet: bool, touchable: bool, traits: dict[str, Any] | None = None, owner: str = 'World.add()') -> None: ...
 
 def identical(a: tuple[Any, ...], b: tuple[Any, ...]) -> bool:
     """The same objects in the same order?"""
@@ -690,6 +756,58 @@ class Body:
     def _destroy(self) -> None: ...
 
     def _take_back(self) -> None: ...
+
+    @property
+    def category(self) -> int:
+        """What it is, as bits of a number: 1 at first. See `mask`."""
+
+    @category.setter
+    def category(self, value: int, /) -> None: ...
+
+    @property
+    def mask(self) -> int:
+        """
+        What it meets, as bits: two meet if the category of each has a bit of the other's mask. evil.ALL at first.
+        """
+
+    @mask.setter
+    def mask(self, value: int, /) -> None: ...
+
+    @property
+    def group(self) -> int:
+        """
+        Two in the same group, not 0, meet whatever the masks say if it is positive, and never if it is negative.
+        """
+
+    @group.setter
+    def group(self, value: int, /) -> None: ...
+
+    @property
+    def sensor(self) -> bool:
+        """
+        A sensor sees what overlaps it (`world.sensors`, `body.on_enter`), and neither pushes nor is pushed.
+        """
+
+    @sensor.setter
+    def sensor(self, value: bool, /) -> None: ...
+
+    @property
+    def one_way(self) -> evilengine.values.vec2.Vec2 | None:
+        """
+        The side from which it is solid, in the body's frame: what comes from there stands, what comes from elsewhere passes through. True means (0, 1), above; None, at first, solid from everywhere.
+        """
+
+    @one_way.setter
+    def one_way(self, value: evilengine.values.vec2.Point | bool | None, /) -> None: ...
+
+    @property
+    def surface_speed(self) -> float:
+        """
+        Metres a second at which its surface runs round it, clockwise: on top to the right. Friction hands it on.
+        """
+
+    @surface_speed.setter
+    def surface_speed(self, value: float, /) -> None: ...
 
 NO_SLOT: int = 4294967295
 

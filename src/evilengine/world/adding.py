@@ -6,6 +6,7 @@ from evilengine import _core
 from evilengine.values.checks import number, one_of
 from evilengine.world.arguments import flag
 from evilengine.world.body import KINDS
+from evilengine.world.traits import given
 
 MAX_SPIN = 1e4
 """Radians a second."""
@@ -46,6 +47,12 @@ def recipe(
     gravity_scale: object,
     bullet: object,
     touchable: object,
+    category: object,
+    mask: object,
+    group: object,
+    sensor: object,
+    one_way: object,
+    surface_speed: object,
 ) -> _core.Recipe:
     """Check everything about a new body but where it is and how it moves."""
     return _core.Recipe(
@@ -60,4 +67,13 @@ def recipe(
         gravity_scale=number(gravity_scale, me, "gravity_scale", least=-1e6, most=1e6),
         bullet=flag(bullet, me, "bullet"),
         touchable=flag(touchable, me, "touchable"),
+        traits=given(
+            category=category,
+            mask=mask,
+            group=group,
+            sensor=sensor,
+            one_way=one_way,
+            surface_speed=surface_speed,
+        ),
+        owner=me,
     )

@@ -36,7 +36,7 @@ def state_of(world: World, name_of: Named) -> dict[str, Any]:
     }
 
 
-EVENTS = ("on_collide", "on_separate", "on_hit", "on_sleep", "on_wake", "on_touch", "on_update")
+EVENTS = ("on_collide", "on_separate", "on_hit", "on_enter", "on_leave", "on_sleep", "on_wake", "on_touch", "on_update")
 
 
 def read(world: World, state: dict[str, Any], find: Found, bodies: Container[int]) -> Callable[[], None]:

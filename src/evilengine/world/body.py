@@ -12,6 +12,7 @@ from evilengine.values.checks import known_keywords, number, one_of
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
 from evilengine.values.vec2 import Point, Vec2, to_vec2
 from evilengine.world.shapes import ShapeDefinition, to_shape
+from evilengine.world.traits import Side, given
 
 if TYPE_CHECKING:
     from evilengine.world.forces import Force
@@ -100,11 +101,18 @@ class Body(_core.Body):
         density: float | None = None,
         friction: float | None = None,
         restitution: float | None = None,
+        category: int | None = None,
+        mask: int | None = None,
+        group: int | None = None,
+        sensor: bool | None = None,
+        one_way: Side = None,
+        surface_speed: float | None = None,
     ) -> Shape:
         """Add one more shape, `offset` and turned by `angle` in the body's frame. Mass and centre follow.
 
-        Density, friction and restitution are the body's own unless given. Raises ShapeError when the mass would be
-        out of range; the body is then as before.
+        What is not given is as the body's own: density, friction, restitution, and from `category` to `surface_speed`
+        how it deals with what it meets. `one_way=False` makes it solid from everywhere on a body that is not. Raises
+        ShapeError when the mass would be out of range; the body is then as before.
 
         >>> import evilengine as evil
         >>> hammer = evil.World().add(evil.Rectangle(0.2, 2))
@@ -112,7 +120,12 @@ class Body(_core.Body):
         >>> len(hammer.shapes)
         2
         """
-        spec = to_shape(shape, "Body.add_shape")._spec
+        me = "Body.add_shape"
+        words = {"category": category, "mask": mask, "group": group, "sensor": sensor, "one_way": one_way}
+        traits = given(**words, surface_speed=surface_speed)
+        if traits:
+            _core.check_traits(traits, me)
+        spec = to_shape(shape, me)._spec
         own_density, own_friction, own_restitution = self._world._core.material(self._require())
         used = _core.use(
             spec,
@@ -126,7 +139,10 @@ class Body(_core.Body):
         )
         slot = self._world._core.add_shape(self, used)
         self._world._definitions[slot] = shape
-        return self._world._shape(slot)
+        made = self._world._shape(slot)
+        if traits:
+            made._set_traits(traits)
+        return made
 
     # -- forces --
 
@@ -176,6 +192,23 @@ class Body(_core.Body):
     def on_hit(self) -> Callbacks[...]:
         """Decorator: call a function with the Contact when this body hits another faster than `world.hit_speed`."""
         return self._callback("on_hit", "contact")
+
+    @property
+    def on_enter(self) -> Callbacks[...]:
+        """Decorator: call a function with the Visit when something enters a sensor of this body."""
+        return self._callback("on_enter", "visit")
+
+    @property
+    def on_leave(self) -> Callbacks[...]:
+        """Decorator: call a function with the Visit when something leaves a sensor of this body, or is lost in it."""
+        return self._callback("on_leave", "visit")
+
+    @property
+    def visitors(self) -> tuple[Body, ...]:
+        """The bodies that this body's sensors saw in the last step, in creation order."""
+        self._require()
+        bodies = dict.fromkeys(visit.visitor for visit in self._world.sensors.inside if visit.sensor == self)
+        return tuple(bodies)
 
     @property
     def on_sleep(self) -> Callbacks[[]]:

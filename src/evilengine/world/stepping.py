@@ -10,6 +10,7 @@ from evilengine.values.vec2 import to_vec2
 from evilengine.world.contacts import ContactList
 from evilengine.world.forces import PYTHON
 from evilengine.world.joints.joint import joints_that_broke
+from evilengine.world.sensors import VisitList
 
 if TYPE_CHECKING:
     from evilengine.world.body import Body
@@ -54,14 +55,22 @@ def ask_forces(world: World, dt: float) -> None:
             force.apply(force.bodies, dt)
 
 
+CONTACTS = (("on_collide", "begun"), ("on_hit", "hit"), ("on_separate", "ended"))
+VISITS = (("on_enter", "entered"), ("on_leave", "left"))
+SLEEP = (("on_sleep", "slept"), ("on_wake", "woke"))
+
+
 def tell_events(world: World) -> None:
     """Tell the bodies what happened to them, kind by kind, each in the order in which they were created."""
     heard, core = world._heard, world._core
     broken = joints_that_broke(world)
-    for name, rows in (("on_collide", "begun"), ("on_hit", "hit"), ("on_separate", "ended")):
+    for name, rows in CONTACTS:
         if name in heard:
             tell_contacts(world, name, getattr(core, rows))
-    for name, bodies in (("on_sleep", "slept"), ("on_wake", "woke")):
+    for name, rows in VISITS:
+        if name in heard:
+            tell_visits(world, name, getattr(core, rows))
+    for name, bodies in SLEEP:
         if name in heard:
             for body in world.events._bodies(getattr(core, bodies)):
                 if body.alive and name in body._callbacks:
@@ -74,7 +83,8 @@ def tell_contacts(world: World, name: str, rows: _core.Touches) -> None:
     """Tell both bodies of each contact, the older first."""
     contacts = ContactList(world, rows)
     for place in range(len(rows)):
-        if not listens(world, name, rows.row(place)):
+        a, _, b, *_ = rows.row(place)
+        if not (listens(world, name, a) or listens(world, name, b)):
             continue
         contact = contacts[place]
         for body in (contact.a, contact.b):
@@ -82,6 +92,17 @@ def tell_contacts(world: World, name: str, rows: _core.Touches) -> None:
                 body._callbacks[name].run(contact)
 
 
-def listens(world: World, name: str, row: tuple[Any, ...]) -> bool:
-    """Does a body of this contact's row want to be told?"""
-    return any(slot in world._handles and name in world._handles[slot]._callbacks for slot in (row[0], row[2]))
+def tell_visits(world: World, name: str, rows: _core.Touches) -> None:
+    """Tell the body that has the sensor."""
+    visits = VisitList(world, rows)
+    for place in range(len(rows)):
+        if not listens(world, name, rows.row(place)[0]):
+            continue
+        visit = visits[place]
+        if visit.sensor.alive and name in visit.sensor._callbacks:
+            visit.sensor._callbacks[name].run(visit)
+
+
+def listens(world: World, name: str, slot: int) -> bool:
+    """Does the body in this slot want to be told?"""
+    return slot in world._handles and name in world._handles[slot]._callbacks

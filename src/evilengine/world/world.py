@@ -15,13 +15,13 @@ from evilengine.world.adding import MAX_SPIN, Recipes
 from evilengine.world.arguments import listed, place, several, speed
 from evilengine.world.bodies import Bodies, BodyList, Numbers, Points
 from evilengine.world.body import Body, Motion, Shape, to_tag
-from evilengine.world.contacts import Contacts
-from evilengine.world.events import Events
 from evilengine.world.forces import Force
+from evilengine.world.happenings import Happenings
 from evilengine.world.joints import BrokenJoint, Joint, Joints
 from evilengine.world.joints.joint import bury_joints, enter
 from evilengine.world.queries import Queries
 from evilengine.world.shapes import ShapeDefinition
+from evilengine.world.traits import Side
 
 MAX_STEP = 1.0
 """Seconds: the longest step. A longer one is a mistake in units."""
@@ -30,7 +30,7 @@ AnyForce = TypeVar("AnyForce", bound=Force)
 AnyJoint = TypeVar("AnyJoint", bound=Joint)
 
 
-class World(Queries):
+class World(Queries, Happenings):
     """Bodies, forces and contacts, and the step that moves them.
 
     `gravity` in m/s2; `sleep` lets bodies that rest cost nothing; `threads` is how many threads a step may use (the
@@ -120,25 +120,6 @@ class World(Queries):
         """All joints, in creation order; `.broken` are those that broke in the last step."""
         return Joints(self)
 
-    @property
-    def contacts(self) -> Contacts:
-        """What touched in the last step: `.begun`, `.ended`, `.hit`, `.active`."""
-        return Contacts(self)
-
-    @property
-    def events(self) -> Events:
-        """What else happened in the last step: `.slept`, `.woke`, `.broken`."""
-        return Events(self)
-
-    @property
-    def hit_speed(self) -> float:
-        """Metres a second: bodies that come together faster are told as hits (`world.contacts.hit`). 1 at first."""
-        return self._core.hit_speed
-
-    @hit_speed.setter
-    def hit_speed(self, value: float) -> None:
-        self._core.hit_speed = number(value, "World", "hit_speed", least=0.0, most=1e6)
-
     # -- adding --
 
     @known_keywords
@@ -161,13 +142,21 @@ class World(Queries):
         gravity_scale: float = 1.0,
         bullet: bool = False,
         touchable: bool = False,
+        category: int | None = None,
+        mask: int | None = None,
+        group: int | None = None,
+        sensor: bool | None = None,
+        one_way: Side = None,
+        surface_speed: float | None = None,
         tag: str | None = None,
     ) -> Body:
         """Add a body made of `shape` (or of several shapes) with its origin `at`, and return its handle.
 
         `kind` is "dynamic", "kinematic" or "static". `density` is relative to water; `mass` (kg) overrides it.
         `damping` and `angular_damping` are the fractions of velocity kept per second, 1 for none lost. `restitution` is
-        0 (no bounce) to 1. `touchable` bodies can be dragged by fingers and mouse.
+        0 (no bounce) to 1. `touchable` bodies can be dragged by fingers and mouse. `category`, `mask` and `group` say
+        whom it meets; a `sensor` sees and pushes nothing; `one_way` is the side from which a platform is solid (True:
+        above); `surface_speed` (m/s) makes it a conveyor belt.
 
         Raises ArgumentError, ArgumentTypeError or ShapeError for what is not allowed; the world is then as before.
 
@@ -177,7 +166,8 @@ class World(Queries):
         """
         me = "World.add()"
         recipe = self._recipes.of(me, (
-            kind, density, mass, friction, restitution, damping, angular_damping, drag, gravity_scale, bullet, touchable
+            kind, density, mass, friction, restitution, damping, angular_damping, drag, gravity_scale, bullet,
+            touchable, category, mask, group, sensor, one_way, surface_speed,
         ))  # fmt: skip
         shapes = (shape,) if isinstance(shape, ShapeDefinition) else several(shape, me)
         specs = [one._spec for one in shapes]
@@ -213,6 +203,12 @@ class World(Queries):
         gravity_scale: float = 1.0,
         bullet: bool = False,
         touchable: bool = False,
+        category: int | None = None,
+        mask: int | None = None,
+        group: int | None = None,
+        sensor: bool | None = None,
+        one_way: Side = None,
+        surface_speed: float | None = None,
         tag: str | None = None,
     ) -> BodyList:
         """Add a body of the same shape at each of `positions`, and return them: as `add` one by one, and much faster.
@@ -227,7 +223,8 @@ class World(Queries):
         """
         me = "World.add_many"
         recipe = self._recipes.of(me, (
-            kind, density, mass, friction, restitution, damping, angular_damping, drag, gravity_scale, bullet, touchable
+            kind, density, mass, friction, restitution, damping, angular_damping, drag, gravity_scale, bullet,
+            touchable, category, mask, group, sensor, one_way, surface_speed,
         ))  # fmt: skip
         shapes = (shape,) if isinstance(shape, ShapeDefinition) else several(shape, me)
         refs, slots = self._core.add_many(
