@@ -365,6 +365,8 @@ ReadSnapshot read_snapshot(std::span<const std::uint8_t> bytes) {
                  forces_hold_together(*state) && joints_hold_together(*state) && contacts_hold_together(*state);
     if (!whole) return {nullptr, SnapshotProblem::inconsistent};
     rebuild_pieces(*state);
+    for (std::uint32_t body = 0; body < state->body_taken.size(); ++body)
+        if (state->body_taken[body]) note_neighbours(state->shapes, state->bodies.rows[body]);
     for (Contact& c : state->contacts.rows) {
         c.fresh = false;
         mark(c, state->shapes);

@@ -10,6 +10,7 @@ void World::step(float dt, int substeps) {
     find_pairs(broad, placed, bodies, contacts.scratch.pairs, instruction_set, threads);
     match_pairs(contacts, shapes, joints);
     update_manifolds(contacts, placed, shapes, bodies, dt, instruction_set, threads); // exact: SAT, contact points
+    drop_ghosts(seams, contacts, shapes, bodies);
     wake_islands(solver, bodies, contacts, joints, forces);
     solve(solver, bodies, contacts, joints, forces, gravity, {dt, substeps, instruction_set});
     stop_at_walls(solver.paths, bodies, shapes);

@@ -2,6 +2,7 @@
 // One World: the State of every module side by side (SPEC A3), and the step that moves it.
 #include "collider/broad_phase.hpp"
 #include "collider/contacts.hpp"
+#include "collider/seams.hpp"
 #include "collider/events.hpp"
 #include "collider/search.hpp"
 #include "forces/forces.hpp"
@@ -48,6 +49,7 @@ struct World {
     // Scratch: losing it changes nothing
     Placements placed;
     BroadPhase broad;
+    Seams seams;
     Solver solver;
     Search search;
 

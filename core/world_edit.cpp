@@ -76,6 +76,7 @@ std::uint32_t attach_shape(World& world, std::uint32_t body, const NewShape& sha
     std::uint32_t slot = add_shape_row(world.shapes, row, shape.corners, shape.parts);
     link_shape(world, body, slot);
     bake(world.shapes, slot, world.bodies.rows[body].scale);
+    note_neighbours(world.shapes, world.bodies.rows[body], slot);
     return slot;
 }
 
@@ -270,6 +271,7 @@ void set_kind(World& world, std::uint32_t body, BodyKind kind) {
     if (b.kind == kind) return;
     wake_touching(world, body);
     b.kind = kind;
+    note_neighbours(world.shapes, b);
     b.awake = true;
     if (kind == BodyKind::fixed) {
         b.velocity = {};

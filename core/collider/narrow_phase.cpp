@@ -94,6 +94,37 @@ ManifoldSketch one_point(Vec2 surface_a, Vec2 normal, float separation, std::uin
     return m;
 }
 
+// Would a contact at this corner of a chain's edge push in a direction (world) that the neighbouring edge must meet first?
+// A true normal at a corner has both edges behind it, on whichever side of the chain the other thing is; where the chain
+// bends toward the other there is none, and only the edges' own normals are left.
+//
+//          n    ghost       from behind it, the ghost corner tells where the chain goes on
+//           \  /
+//     _______\/
+bool faces_neighbour(const Placed& edge, std::uint32_t corner, Vec2 normal) {
+    constexpr float kStraight = 1e-4f; // sine of a bend that counts as none; at zero, rounding could hide both edges
+    if ((edge.piece.ghosts & (corner == 0 ? kGhostBefore : kGhostAfter)) == 0) return false;
+    Vec2 on = edge.points.data()[2 + corner] - edge.points[corner]; // ghosts lie behind the corners in the pool
+    return dot(unrotate(edge.pose.q, normal), on) > kStraight * length(on);
+}
+
+// As best_edge, but of those edges alone from which the chain's edge may be pushed.
+Best best_free_edge(const Placed& face, const Placed& chain, const Pose& to_chain, float margin) {
+    Best best;
+    for (std::uint32_t e = 0; e < face.piece.count; ++e) {
+        Vec2 n = rotate(to_chain.q, face.normals[e]), start = transform(to_chain, face.points[e]);
+        float first = dot(n, chain.points[0] - start), second = dot(n, chain.points[1] - start);
+        float s = std::min(first, second);
+        if (s > margin) return {s, e};
+        if (s <= best.separation) continue;
+        Vec2 push = -rotate(face.pose.q, face.normals[e]);
+        bool level = first == second;
+        if (!level && faces_neighbour(chain, first < second ? 0 : 1, push)) continue;
+        best = {s, e};
+    }
+    return best;
+}
+
 // Two cores that are apart and whose skins may touch. Where an edge faces a corner or an edge, it is as without skins; where
 // two corners are nearest, they touch as two circles do.
 ManifoldSketch collide_rounded(const Placed& a, const Placed& b, float margin, float apart, auto&& flat) {
@@ -107,6 +138,9 @@ ManifoldSketch collide_rounded(const Placed& a, const Placed& b, float margin, f
         ManifoldSketch m = flat();
         if (m.count > 0) return m;
     }
+    if (n.count == 1 && (faces_neighbour(a, n.corner_a[0], narrow(n.normal)) ||
+                         faces_neighbour(b, n.corner_b[0], narrow(-n.normal))))
+        return {};
     Vec2 normal = narrow(n.normal), surface = a.pose.p + narrow(n.a) + a.piece.radius * normal;
     std::uint32_t corners = (n.corner_a[0] & 0x3fffu) << 17 | (n.corner_b[0] & 0x3fffu) << 3;
     return one_point(surface, normal, static_cast<float>(n.distance), corners | 2u);
@@ -122,12 +156,12 @@ ManifoldSketch collide_polygons(const Placed& a, const Placed& b, float margin, 
             separation_along(face, axis.edge, other, axis.of_b ? b_in_a : a_in_b) > margin)
             return {};
     }
-    Best of_a = best_edge(a, b, a_in_b, margin);
+    Best of_a = b.piece.ghosts != 0 ? best_free_edge(a, b, a_in_b, margin) : best_edge(a, b, a_in_b, margin);
     if (of_a.separation > margin) {
         axis = {static_cast<std::uint16_t>(of_a.edge), false, true};
         return {};
     }
-    Best of_b = best_edge(b, a, b_in_a, margin);
+    Best of_b = a.piece.ghosts != 0 ? best_free_edge(b, a, b_in_a, margin) : best_edge(b, a, b_in_a, margin);
     if (of_b.separation > margin) {
         axis = {static_cast<std::uint16_t>(of_b.edge), true, true};
         return {};
@@ -180,6 +214,8 @@ ManifoldSketch collide_polygon_circle(const Placed& polygon, const Placed& circl
         float distance = length(c - surface);
         if (distance > r + margin) return {};
         if (distance > 0.0f) normal = (1.0f / distance) * (c - surface);
+        std::uint32_t corner = (along < 0.0f) == (edge == 0) ? 0 : 1; // of a chain's edge
+        if (polygon.piece.ghosts != 0 && faces_neighbour(polygon, corner, rotate(polygon.pose.q, normal))) return {};
         separation = distance - r;
         id |= along < 0.0f ? 1u : 2u;
     }

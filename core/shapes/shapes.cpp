@@ -160,6 +160,7 @@ void bake(Shapes& shapes, std::uint32_t shape, Vec2 scale) {
     std::size_t part = 0;
     shapes.forms.resize(shapes.pieces.size());
     shapes.form_kinds.resize(shapes.pieces.size());
+    shapes.neighboured.resize(shapes.pieces.size());
     for (std::uint32_t p = row.first_piece; p != kNone; p = shapes.pieces[p].next, ++part) {
         Piece& piece = shapes.pieces[p];
         if (row.kind == ShapeKind::circle)
