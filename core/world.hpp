@@ -2,8 +2,8 @@
 // One World: the State of every module side by side (SPEC A3), and the step that moves it.
 #include "collider/broad_phase.hpp"
 #include "collider/contacts.hpp"
-#include "collider/seams.hpp"
 #include "collider/events.hpp"
+#include "collider/seams.hpp"
 #include "collider/search.hpp"
 #include "forces/forces.hpp"
 #include "published.hpp"

@@ -138,8 +138,8 @@ ManifoldSketch collide_rounded(const Placed& a, const Placed& b, float margin, f
         ManifoldSketch m = flat();
         if (m.count > 0) return m;
     }
-    if (n.count == 1 && (faces_neighbour(a, n.corner_a[0], narrow(n.normal)) ||
-                         faces_neighbour(b, n.corner_b[0], narrow(-n.normal))))
+    if (n.count == 1 &&
+        (faces_neighbour(a, n.corner_a[0], narrow(n.normal)) || faces_neighbour(b, n.corner_b[0], narrow(-n.normal))))
         return {};
     Vec2 normal = narrow(n.normal), surface = a.pose.p + narrow(n.a) + a.piece.radius * normal;
     std::uint32_t corners = (n.corner_a[0] & 0x3fffu) << 17 | (n.corner_b[0] & 0x3fffu) << 3;

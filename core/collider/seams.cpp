@@ -3,34 +3,50 @@
 namespace evil {
 namespace {
 
-constexpr float kFlush = 0.1f * kSlop; // metres: surfaces that differ by less are one; more, and real steps would vanish
+constexpr float kFlush =
+    0.1f * kSlop;                // metres: surfaces that differ by less are one; more, and real steps would vanish
+constexpr float kOnSeam = kSlop; // metres from the other piece: a manifold's points are no nearer to the true ones
 
 struct Touching { // a contact as its mover meets it
-    const Piece* still;
-    Pose pose;     // of the still piece's body
-    Vec2 point;    // on the still piece's surface, where it is deepest
-    Vec2 normal;   // from the still piece to the mover
-    float depth;   // metres, 0 when they are apart
+    const Piece *still, *mover;
+    Pose pose, mover_pose; // of their bodies
+    int count;             // of points; with none there is only what follows
+    Vec2 point;            // on the still piece's surface, where it is deepest
+    Vec2 normal;           // from the still piece to the mover
+    float depth;           // metres, 0 when they are apart
 };
 
 Touching seen(const Seams::Side& side, const Contacts& contacts, const Shapes& shapes, const Bodies& bodies) {
     const Contact& c = contacts.rows[side.row];
     const ManifoldPoint& p = c.count > 1 && c.points[1].separation < c.points[0].separation ? c.points[1] : c.points[0];
-    const Body& still = bodies.rows[side.from_a ? c.body_b : c.body_a];
-    Vec2 normal = side.from_a ? -c.normal : c.normal;
-    Vec2 midway = still.centre + (side.from_a ? p.anchor_b : p.anchor_a);
-    return {&shapes.pieces[side.from_a ? c.piece_b : c.piece_a], still.pose, midway - 0.5f * p.separation * normal,
-            normal, std::max(0.0f, -p.separation)};
+    const Body &a = bodies.rows[c.body_a], &b = bodies.rows[c.body_b], &still = side.from_a ? b : a;
+    const Piece &p_a = shapes.pieces[c.piece_a], &p_b = shapes.pieces[c.piece_b];
+    Touching t{side.from_a ? &p_b : &p_a,
+               side.from_a ? &p_a : &p_b,
+               still.pose,
+               side.from_a ? a.pose : b.pose,
+               c.count,
+               {},
+               {},
+               0.0f};
+    if (c.count == 0) return t;
+    t.normal = side.from_a ? -c.normal : c.normal;
+    t.point = still.centre + (side.from_a ? p.anchor_b : p.anchor_a) - 0.5f * p.separation * t.normal;
+    t.depth = std::max(0.0f, -p.separation);
+    return t;
 }
 
-// How far the piece reaches out in front of the plane through `point`.
-float in_front(const Shapes& shapes, const Touching& t, Vec2 point, Vec2 normal) {
-    Vec2 p = untransform(t.pose, point), n = unrotate(t.pose.q, normal);
-    if (t.still->count == 0) return dot(n, t.still->centre - p) + t.still->radius;
-    std::span<const Vec2> corners = points_of(shapes, *t.still);
+// How far a piece reaches out in front of the plane through `point`.
+float in_front(const Shapes& shapes, const Piece& piece, const Pose& pose, Vec2 point, Vec2 normal) {
+    Vec2 p = untransform(pose, point), n = unrotate(pose.q, normal);
+    if (piece.count == 0) return dot(n, piece.centre - p) + piece.radius;
+    std::span<const Vec2> corners = points_of(shapes, piece);
     float most = dot(n, corners[0] - p);
     for (Vec2 corner : corners.subspan(1)) most = std::max(most, dot(n, corner - p));
-    return most + t.still->radius;
+    return most + piece.radius;
+}
+float in_front(const Shapes& shapes, const Touching& t, Vec2 point, Vec2 normal) {
+    return in_front(shapes, *t.still, t.pose, point, normal);
 }
 
 float square_distance(Vec2 p, Vec2 a, Vec2 b) { // from the segment a-b
@@ -54,13 +70,32 @@ bool within(const Shapes& shapes, const Touching& t, Vec2 point, float more) {
     return inside;
 }
 
-bool gives_way(const Shapes& shapes, const Touching& ghost, const Touching& other, float flush) {
-    return within(shapes, other, ghost.point, flush + other.depth) &&
-           in_front(shapes, other, ghost.point, ghost.normal) > flush &&
-           in_front(shapes, ghost, other.point, other.normal) <= flush;
+// The direction in which the piece faces where it is touched: its edge's, since the contact's may be the mover's. Without
+// points, that of the edge that the mover is farthest in front of.
+Vec2 facing(const Shapes& shapes, const Touching& t) {
+    if (t.still->count == 0) return t.normal;
+    std::span<const Vec2> corners = points_of(shapes, *t.still), normals = normals_of(shapes, *t.still);
+    Vec2 best;
+    float most = -1e30f;
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        Vec2 n = rotate(t.pose.q, normals[i]);
+        float along = t.count > 0 ? dot(n, t.normal)
+                                  : -in_front(shapes, *t.mover, t.mover_pose, transform(t.pose, corners[i]), -n);
+        if (along > most) most = along, best = n;
+    }
+    return best;
 }
 
-void add_side(Seams& seams, std::uint32_t row, std::uint32_t mover, const Body& other, std::uint32_t body, bool from_a) {
+bool gives_way(const Shapes& shapes, const Touching& ghost, const Touching& other, float size) {
+    float flush = std::min(kFlush, size);
+    if (!within(shapes, other, ghost.point, std::min(kOnSeam, size) + other.depth)) return false;
+    if (in_front(shapes, other, ghost.point, ghost.normal) <= flush) return false;
+    Vec2 face = facing(shapes, other);
+    return in_front(shapes, ghost, ghost.point, face) <= in_front(shapes, other, ghost.point, face) + flush;
+}
+
+void add_side(Seams& seams, std::uint32_t row, std::uint32_t mover, const Body& other, std::uint32_t body,
+              bool from_a) {
     std::uint32_t whole = other.kind == BodyKind::fixed ? kNone : body;
     if (seams.first[mover] == kNone) seams.movers.push_back(mover);
     seams.sides.push_back({row, seams.first[mover], whole, from_a});
@@ -75,7 +110,7 @@ void gather(Seams& seams, const Contacts& contacts, const Shapes& shapes, const 
     for (std::uint32_t row = 0; row < contacts.rows.size(); ++row) {
         const Contact& c = contacts.rows[row];
         bool of_a = shapes.neighboured[c.piece_a] != 0, of_b = shapes.neighboured[c.piece_b] != 0;
-        if (c.count == 0 || !(of_a || of_b)) continue;
+        if (!(of_a || of_b)) continue; // those without points count too: what they cover, nobody can touch
         if (of_b) add_side(seams, row, c.piece_a, bodies.rows[c.body_b], c.body_b, true);
         if (of_a) add_side(seams, row, c.piece_b, bodies.rows[c.body_a], c.body_a, false);
     }
@@ -84,14 +119,15 @@ void gather(Seams& seams, const Contacts& contacts, const Shapes& shapes, const 
 // One that gives way to another may itself be what a third gives way to; were all to go, the last would take its reason along.
 void find_ghosts(Seams& seams, std::uint32_t mover, const Contacts& contacts, const Shapes& shapes,
                  const Bodies& bodies) {
-    float flush = std::min(kFlush, 0.05f * shapes.pieces[mover].reach);
+    float small = 0.05f * shapes.pieces[mover].reach; // to a grain of sand, millimetres are real
     for (std::uint32_t i = seams.first[mover]; i != kNone; i = seams.sides[i].next) {
         const Seams::Side& side = seams.sides[i];
         Touching ghost = seen(side, contacts, shapes, bodies);
+        if (ghost.count == 0) continue;
         for (std::uint32_t j = seams.first[mover]; j != kNone; j = seams.sides[j].next) {
             const Seams::Side& other = seams.sides[j];
             if (i == j || other.whole != side.whole) continue;
-            if (!gives_way(shapes, ghost, seen(other, contacts, shapes, bodies), flush)) continue;
+            if (!gives_way(shapes, ghost, seen(other, contacts, shapes, bodies), small)) continue;
             seams.hidden.push_back(side.row);
             break;
         }

@@ -4,7 +4,7 @@
 
 namespace evil {
 
-struct Seams { // Scratch
+struct Seams {             // Scratch
     struct Side {          // a contact seen from one of its pieces, the mover
         std::uint32_t row; // of the contact
         std::uint32_t next;
@@ -21,15 +21,15 @@ struct Seams { // Scratch
 //
 //        |  mover  |        Its point p lies on the seam: in the piece of the other contact. The surface there is that of
 //     ___|_______p_|____    both pieces, so a true normal n has both behind it. The left tile is in front of n <- p: the
-//       tile  n<-|  tile    contact with the right one is a ghost. (In a real corner, of floor and wall, each piece is in
-//                |          front of the other's contact as well, and both stay.)
+//       tile  n<-|  tile    contact with the right one is a ghost. (In a real corner, of floor and wall, each piece rises
+//                |          over the other's face as well, and both stay.)
 //
 // In its purpose after the "enhanced internal edge removal" of Jolt Physics (Rouwe 2023), which voids the corners of
 // triangles that a face contact has met; here the rule is the normal cone of the union of convex sets.
 void drop_ghosts(Seams& seams, Contacts& contacts, const Shapes& shapes, const Bodies& bodies);
 
 // Which pieces have neighbours to share a seam with: those of bodies that stand still or have other pieces.
-void note_neighbours(Shapes& shapes, const Body& body);                     // of a body as it now is
+void note_neighbours(Shapes& shapes, const Body& body);                      // of a body as it now is
 void note_neighbours(Shapes& shapes, const Body& body, std::uint32_t added); // after this shape was put on it
 
 } // namespace evil
