@@ -68,9 +68,9 @@ struct Shapes { // State: rows by slot
     std::vector<Form> forms; // by piece, baked with it
     std::vector<FormKind> form_kinds;
     std::vector<std::uint8_t> neighboured; // by piece: may it share a seam with another? (collider/seams.hpp)
-    std::vector<FewCorners> few_corners; // of boxes and polygons; shorter where the last pieces are neither
-    std::uint64_t material_changes = 0;  // of shapes that are there: contacts mix materials anew when it moves
-    std::vector<Vec2> points, normals;   // the pool: ranges of live pieces, and of dead ones until pack()
+    std::vector<FewCorners> few_corners;   // of boxes and polygons; shorter where the last pieces are neither
+    std::uint64_t material_changes = 0;    // of shapes that are there: contacts mix materials anew when it moves
+    std::vector<Vec2> points, normals;     // the pool: ranges of live pieces, and of dead ones until pack()
     std::uint32_t live_points = 0;
     std::uint64_t next_serial = 0;
 };
