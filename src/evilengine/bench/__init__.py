@@ -1,3 +1,4 @@
 """Scenes that benchmarks, tests and the testbed share, and what measures them: `evil bench physics`."""
 
-from evilengine.bench import scenes as scenes  # they enter themselves into SCENES
+from evilengine.bench import joined as joined  # they enter themselves into SCENES
+from evilengine.bench import scenes as scenes

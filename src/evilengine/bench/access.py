@@ -106,7 +106,7 @@ def casting(peers: Iterable[type[Peer]], tell: Tell, warm: int = 300) -> Numbers
     return numbers
 
 
-def table_of(points: Sequence[Point]) -> memoryview:
+def table_of(points: Sequence[Point]) -> memoryview[float]:
     """Points as an array of float32 with two columns."""
     flat = array("f", (value for point in points for value in point))
     return memoryview(flat).cast("B").cast("f", (len(points), 2))

@@ -6,10 +6,11 @@ from typing import Any
 
 import pyb2d3 as b2
 
-from evilengine.bench.peers import Peer, Placed, corners_of, disc_of, refuse
+from evilengine.bench.peers import Peer, Placed, core_of, corners_of, disc_of, points_of, refuse
 from evilengine.values.vec2 import Vec2
-from evilengine.world.body import Body
-from evilengine.world.shapes import Circle, PolygonLike
+from evilengine.world.body import Body, Shape
+from evilengine.world.joints import Hinge, Joint
+from evilengine.world.shapes import Capsule, Chain, Circle, PolygonLike, Rectangle, Segment
 
 KINDS = {"static": b2.BodyType.STATIC, "kinematic": b2.BodyType.KINEMATIC, "dynamic": b2.BodyType.DYNAMIC}
 
@@ -33,17 +34,54 @@ class TheirWorld(Peer):
             )
         )
         for shape in body.shapes:
-            material = b2.surface_material(friction=shape.friction, restitution=shape.restitution)
-            density = shape.density if body.kind == "dynamic" else 0.0
-            one.create_shape(b2.shape_def(density=density, material=material), self._shape(shape))
+            self._add_shape(one, shape, shape.density if body.kind == "dynamic" else 0.0)
         return one
 
-    def _shape(self, shape: Any) -> Any:
-        if isinstance(shape.definition, Circle):
-            return b2.circle(*disc_of(shape))
-        if isinstance(shape.definition, PolygonLike):
-            return b2.polygon(points=corners_of(shape))
-        raise refuse(shape.definition, self.name)
+    def _add_shape(self, one: Any, shape: Shape, density: float) -> None:
+        material = b2.surface_material(
+            friction=shape.friction, restitution=shape.restitution, tangent_speed=shape.surface_speed
+        )
+        meets = b2.make_filter(category_bits=shape.category, mask_bits=shape.mask, group_index=shape.group)
+        form, definition = b2.shape_def(density=density, material=material, filter=meets), shape.definition
+        if isinstance(definition, Chain):
+            points = points_of(shape, definition.points)
+            one.create_chain(b2.chain_def(points, material=material, is_loop=definition.loop, filter=meets))
+        elif isinstance(definition, Circle):
+            one.create_circle_shape(form, b2.circle(*disc_of(shape)))
+        elif isinstance(definition, Capsule):
+            p, q = points_of(shape, (definition.a, definition.b))
+            one.create_capsule_shape(form, b2.capsule(p, q, definition.radius))
+        elif isinstance(definition, Segment):
+            one.create_segment_shape(form, b2.segment(*points_of(shape, (definition.a, definition.b))))
+        elif isinstance(definition, Rectangle) and definition.rounding:
+            one.create_polygon_shape(form, b2.box(*core_of(definition), radius=definition.rounding))
+        elif isinstance(definition, PolygonLike):
+            one.create_polygon_shape(form, b2.polygon(points=corners_of(shape)))
+        else:
+            raise refuse(definition, self.name)
+
+    def join(self, joint: Joint, a: Any, b: Any) -> None:
+        if not isinstance(joint, Hinge):
+            raise refuse(joint, self.name)
+        pin = b2.revolute_joint_def(
+            body_a=a,
+            body_b=b,
+            local_anchor_a=tuple(joint.a.to_local(joint.at_a)),
+            local_anchor_b=tuple(joint.b.to_local(joint.at_b)),
+            reference_angle=joint.b.angle - joint.a.angle,
+            collide_connected=joint.collide,
+        )
+        if joint.limits is not None:
+            pin.enable_limit = True
+            pin.lower_angle, pin.upper_angle = joint.limits
+        if joint.motor_speed is not None:
+            pin.enable_motor = True
+            pin.motor_speed = joint.motor_speed
+            pin.max_motor_torque = 1e9 if joint.max_torque is None else joint.max_torque
+        if joint.frequency:
+            pin.enable_spring = True
+            pin.hertz, pin.damping_ratio = joint.frequency, joint.damping_ratio
+        self._world.create_revolute_joint(pin)
 
     def remove(self, one: Any) -> None:
         one.destroy()

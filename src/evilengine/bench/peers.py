@@ -13,7 +13,8 @@ from typing import Any
 from evilengine.bench.scene import STEP, Scene, stage
 from evilengine.values.vec2 import Vec2
 from evilengine.world.body import Body, Shape
-from evilengine.world.shapes import Circle, PolygonLike, ShapeDefinition
+from evilengine.world.joints import Joint
+from evilengine.world.shapes import Circle, PolygonLike, Rectangle
 
 Placed = tuple[float, float, float]
 """Where a body is: x, y, angle."""
@@ -29,6 +30,7 @@ class Peer:
         self._substeps = substeps
         self._steps = 0
         self._bodies: dict[Body, Any] = {}
+        self._joints: set[Joint] = set()
         self._kinematic: list[Body] = []
         self.open(self.shadow.world.gravity)
         self._mirror()
@@ -54,6 +56,11 @@ class Peer:
                 self._bodies[body] = self.add(body)
                 if body.kind == "kinematic":
                     self._kinematic.append(body)
+        self._joints = {joint for joint in self._joints if joint.alive}
+        for joint in self.shadow.world.joints:
+            if joint not in self._joints:
+                self._joints.add(joint)
+                self.join(joint, self._bodies[joint.a], self._bodies[joint.b])
 
     def placed(self) -> list[Placed]:
         """Where all bodies are, in the order in which the scene made them."""
@@ -70,6 +77,11 @@ class Peer:
         raise NotImplementedError
 
     def remove(self, one: Any) -> None:
+        """Take it away, with its joints."""
+        raise NotImplementedError
+
+    def join(self, joint: Joint, a: Any, b: Any) -> None:
+        """Make the same joint between the two."""
         raise NotImplementedError
 
     def steer(self, one: Any, velocity: Vec2, spin: float) -> None:
@@ -106,14 +118,24 @@ def corners_of(shape: Shape) -> list[tuple[float, float]]:
     return [shape.matrix @ corner for corner in shape.definition.corners]
 
 
+def points_of(shape: Shape, points: Iterable[Vec2]) -> list[tuple[float, float]]:
+    """Points of a shape, in the body's frame."""
+    return [shape.matrix @ point for point in points]
+
+
+def core_of(box: Rectangle) -> tuple[float, float]:
+    """Half the sides of what is left of a rectangle when its rounding is taken off all round."""
+    return 0.5 * box.width - box.rounding, 0.5 * box.height - box.rounding
+
+
 def disc_of(shape: Shape) -> tuple[tuple[float, float], float]:
     """The centre in the body's frame and the radius."""
     assert isinstance(shape.definition, Circle)
     return shape.matrix @ Vec2(0, 0), shape.definition.radius
 
 
-def refuse(definition: ShapeDefinition | None, peer: str) -> NotImplementedError:
-    return NotImplementedError(f"{peer}: the bench has no way to make a {type(definition).__name__} there")
+def refuse(what: object, peer: str) -> NotImplementedError:
+    return NotImplementedError(f"{peer}: the bench has no way to make a {type(what).__name__} there")
 
 
 PEERS = {"pyb2d3": "box2d", "pymunk": "chipmunk"}

@@ -11,7 +11,7 @@ import random
 
 from evilengine.bench.scene import STEP, Act, scene
 from evilengine.world.body import Body
-from evilengine.world.shapes import Circle, Polygon, Rectangle
+from evilengine.world.shapes import Circle, Polygon, Rectangle, Segment
 from evilengine.world.world import World
 
 TURN = math.radians(25.0)  # radians a second of the drums, as in Box2D's
@@ -50,7 +50,7 @@ def many_pyramids(world: World, size: int) -> Act | None:
     width = size * (base + 1.0)
     for row in range(size):
         bottom = row * (base + 1.0)
-        world.add(Rectangle(2 * width, 0.5), at=(0, bottom - 0.25), kind="static")
+        world.add(Segment((-width, bottom), (width, bottom)), kind="static")
         for column in range(size):
             pyramid_of(world, base, -0.5 * width + column * (base + 1.0), bottom)
     return None
@@ -96,7 +96,7 @@ def convex(luck: random.Random, radius: float, corners: int) -> Polygon:
 
 @scene(size=2000, show=600, small=100, centre=(0, 10), height=40, warm=300)
 def pile(world: World, size: int) -> Act | None:
-    """Circles and convex polygons of 3 to 8 corners heap up in a bin, 60 wide for 2000 of them."""
+    """Circles and convex polygons of 3 to 8 corners heap up in a bin."""
     heap(world, size, max(4, round(38 * math.sqrt(size / 2000))))
     return None
 

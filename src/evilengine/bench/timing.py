@@ -62,16 +62,19 @@ def take_turns(
 ) -> dict[str, Times]:
     """Let all runners make `warm` steps, then `steps` that are timed, `turn` at a time, in turn.
 
-    Which runner comes first changes from round to round. A runner that would need more than `patience` seconds for
-    its steps before it is timed is left out; the first of them never is.
+    Which runner comes first changes from round to round. The first of `runners` makes all steps. Another is left out
+    when it would need more than `patience` seconds for its steps before it is timed, and has fewer rounds when it needs
+    more for those that are; its ratio is of the rounds that it has.
     """
-    ready = [runner for runner in runners if _warmed(runner, warm, math.inf if runner is runners[0] else patience)]
+    first = runners[0]
+    ready = [runner for runner in runners if _warmed(runner, warm, math.inf if runner is first else patience)]
     times = {runner.name: Times() for runner in ready}
     done = 0
     while done < steps:
         now = min(turn, steps - done)
         for runner in ready:
             times[runner.name].rounds.append(timed(runner, now))
+        ready = [runner for runner in ready if runner is first or sum(times[runner.name].steps) < patience]
         ready.append(ready.pop(0))
         done += now
     return times
