@@ -7,7 +7,7 @@ void World::step(float dt, int substeps) {
     previous = present;
     place_pieces(placed, shapes, bodies, dt, instruction_set, threads);
     // approximate: whose bounds meet
-    find_pairs(broad, placed, bodies, contacts.scratch.pairs, instruction_set, threads);
+    find_pairs(broad, placed, contacts.scratch.pairs, instruction_set, threads);
     match_pairs(contacts, shapes, joints);
     update_manifolds(contacts, placed, shapes, bodies, dt, instruction_set, threads); // exact: SAT, contact points
     drop_ghosts(seams, contacts, shapes, bodies);

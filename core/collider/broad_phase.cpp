@@ -44,10 +44,11 @@ void choose_grids(BroadPhase& broad, const Placements& placed, std::size_t (&gri
             if (population[o] > population[most]) most = o;
         if (population[most] == 0) return;
         std::size_t below = most > 0 ? population[most - 1] : 0, above = most + 1 < kOctaves ? population[most + 1] : 0;
-        std::size_t beside = below > above ? most - 1 : most + 1;
+        bool grows = above > below && 2 * above > population[most]; // a few larger ones would make wide cells for all
+        std::size_t beside = grows ? most + 1 : most - 1;
         grid_of[most] = broad.used;
         population[most] = 0;
-        if (std::max(below, above) > 0) {
+        if (grows || below > 0) {
             grid_of[beside] = broad.used;
             population[beside] = 0;
         }
@@ -79,8 +80,9 @@ void lay_out(Grid& grid, const Placements& placed, std::span<const std::uint32_t
     grid.origin_x = low_x;
     grid.origin_y = low_y;
     grid.cell = double(grid.widest) * (1.0 + kCellSlack);
-    grid.columns = static_cast<std::int64_t>((high_x - low_x) / grid.cell) + 1;
-    grid.rows = static_cast<std::int64_t>((high_y - low_y) / grid.cell) + 1;
+    grid.per_metre = 1.0 / grid.cell;
+    grid.columns = static_cast<std::int64_t>((high_x - low_x) * grid.per_metre) + 1;
+    grid.rows = static_cast<std::int64_t>((high_y - low_y) * grid.per_metre) + 1;
     grid.column_bits = static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint64_t>(grid.columns + 1)));
 }
 
@@ -91,8 +93,8 @@ void number_cells(BroadPhase& broad, const Grid& grid, const Placements& placed,
         std::uint32_t p = members[i];
         double x = 0.5 * (double(placed.low_x[p]) + double(placed.high_x[p])) - grid.origin_x;
         double y = 0.5 * (double(placed.low_y[p]) + double(placed.high_y[p])) - grid.origin_y;
-        auto column = static_cast<std::uint64_t>(static_cast<std::int64_t>(x / grid.cell) + 1);
-        auto row = static_cast<std::uint64_t>(static_cast<std::int64_t>(y / grid.cell));
+        auto column = static_cast<std::uint64_t>(static_cast<std::int64_t>(x * grid.per_metre) + 1);
+        auto row = static_cast<std::uint64_t>(static_cast<std::int64_t>(y * grid.per_metre));
         broad.items[i] = {row << grid.column_bits | column, p};
     }
 }
@@ -113,7 +115,7 @@ void sort_items(BroadPhase& broad, std::uint64_t highest) {
     }
 }
 
-void fill(Grid& grid, const Placements& placed, const Bodies& bodies, std::span<const BroadPhase::Item> items) {
+void fill(Grid& grid, const Placements& placed, std::span<const BroadPhase::Item> items) {
     std::size_t n = items.size();
     grid.cells.resize(n);
     grid.pieces.resize(n);
@@ -123,8 +125,7 @@ void fill(Grid& grid, const Placements& placed, const Bodies& bodies, std::span<
         std::uint32_t p = items[i].piece, body = placed.bodies[p];
         grid.cells[i] = items[i].cell;
         grid.pieces[i] = p;
-        bool seeks = bodies.rows[body].kind == BodyKind::dynamic || placed.sensors[p];
-        grid.owners[i] = body | (seeks ? kSeekingOwner : 0u);
+        grid.owners[i] = body | (placed.kinds[p] & kSeeks ? kSeekingOwner : 0u);
         grid.low_x[i] = placed.low_x[p];
         grid.low_y[i] = placed.low_y[p];
         grid.high_x[i] = placed.high_x[p];
@@ -135,7 +136,7 @@ void fill(Grid& grid, const Placements& placed, const Bodies& bodies, std::span<
 GridView view(const Grid& g) {
     return {g.cells.data(),  g.low_x.data(),  g.low_y.data(), g.high_x.data(), g.high_y.data(),
             g.pieces.data(), g.owners.data(), g.cells.size(), g.column_bits,   g.origin_x,
-            g.origin_y,      g.cell,          g.columns,      g.rows};
+            g.origin_y,      g.per_metre,     g.columns,      g.rows};
 }
 
 // Calls find(first, last, found) until it is through, with a list that grows.
@@ -259,15 +260,15 @@ void sort_pairs(BroadPhase& broad, std::size_t chunks, std::size_t pieces, std::
 
 } // namespace
 
-void find_pairs(BroadPhase& broad, const Placements& placed, const Bodies& bodies, std::vector<Pair>& pairs,
-                InstructionSet set, Threads& threads) {
+void find_pairs(BroadPhase& broad, const Placements& placed, std::vector<Pair>& pairs, InstructionSet set,
+                Threads& threads) {
     deal_out(broad, placed);
     for (std::size_t g = 0; g < broad.used; ++g) {
         Grid& grid = broad.grids[g];
         lay_out(grid, placed, broad.members[g]);
         number_cells(broad, grid, placed, broad.members[g]);
         sort_items(broad, static_cast<std::uint64_t>(grid.rows) << grid.column_bits);
-        fill(grid, placed, bodies, broad.items);
+        fill(grid, placed, broad.items);
     }
     std::size_t within = find_within(broad, set, threads), all = find_across(broad, within, set, threads);
     drop_kept_apart(broad, placed, within, all);

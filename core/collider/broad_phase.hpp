@@ -22,6 +22,7 @@ Bounds bounds_of(const Shapes& shapes, const Piece& piece, const Pose& pose);
 // whatever meets a piece lies in the nine cells round it.
 struct Grid {
     double origin_x = 0, origin_y = 0, cell = 1; // metres
+    double per_metre = 1;                        // cells
     std::int64_t columns = 0, rows = 0;
     std::uint32_t column_bits = 0;
     float widest = 0; // side of the bounds in it
@@ -50,7 +51,7 @@ struct BroadPhase { // Scratch
 // All pairs of pieces whose bounds overlap, at least one of a dynamic body or a sensor, of different
 // bodies. Sorted. Pairs of very
 // different size are tested along the sides of the larger form as well.
-void find_pairs(BroadPhase& broad, const Placements& placed, const Bodies& bodies, std::vector<Pair>& pairs,
-                InstructionSet set, Threads& threads);
+void find_pairs(BroadPhase& broad, const Placements& placed, std::vector<Pair>& pairs, InstructionSet set,
+                Threads& threads);
 
 } // namespace evil

@@ -49,10 +49,10 @@ EVIL_INLINE void test_run(const GridView& g, const Seeker& e, std::size_t first,
 }
 
 // Cells of the grid that may hold what touches [low, high]: by their middles, entries lie within half a cell of it.
-EVIL_INLINE bool cell_range(double low, double high, double origin, double cell, std::int64_t cells,
+EVIL_INLINE bool cell_range(double low, double high, double origin, double per_metre, std::int64_t cells,
                             std::int64_t& first, std::int64_t& last) {
     double most = static_cast<double>(cells - 1);
-    double from = (low - origin) / cell - 0.5, to = (high - origin) / cell + 0.5;
+    double from = (low - origin) * per_metre - 0.5, to = (high - origin) * per_metre + 0.5;
     if (!(to >= 0.0) || !(from <= most + 1.0)) return false;
     first = from > 0.0 ? static_cast<std::int64_t>(from) : 0;
     last = to < most ? static_cast<std::int64_t>(to) : cells - 1;
@@ -87,8 +87,8 @@ std::size_t pair_across(const GridView& from, const GridView& g, std::size_t fir
     const std::uint64_t columns = (std::uint64_t{1} << g.column_bits) - 1;
     for (std::size_t i = first; i < last; ++i) {
         std::int64_t c0, c1, r0, r1;
-        if (!cell_range(from.low_x[i], from.high_x[i], g.origin_x, g.cell, g.columns, c0, c1) ||
-            !cell_range(from.low_y[i], from.high_y[i], g.origin_y, g.cell, g.rows, r0, r1))
+        if (!cell_range(from.low_x[i], from.high_x[i], g.origin_x, g.per_metre, g.columns, c0, c1) ||
+            !cell_range(from.low_y[i], from.high_y[i], g.origin_y, g.per_metre, g.rows, r0, r1))
             continue;
         auto left = static_cast<std::uint64_t>(c0 + 1), right = static_cast<std::uint64_t>(c1 + 1);
         auto row = static_cast<std::uint64_t>(r0);

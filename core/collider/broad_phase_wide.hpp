@@ -15,7 +15,8 @@ struct GridView {
     const std::uint32_t *pieces, *owners;
     std::size_t count;
     std::uint32_t column_bits;
-    double origin_x, origin_y, cell; // metres; no entry's bounds are wider than a cell
+    double origin_x, origin_y; // metres
+    double per_metre;          // cells; no entry's bounds are wider than one
     std::int64_t columns, rows;
 };
 

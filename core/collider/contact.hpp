@@ -51,8 +51,6 @@ struct Pair {
     friend auto operator<=>(Pair, Pair) = default;
 };
 
-inline constexpr std::size_t kWays = 8; // see manifolds.cpp
-
 struct Contacts {
     std::vector<Contact> rows;            // State, sorted by key
     struct {                              // Scratch
@@ -60,9 +58,7 @@ struct Contacts {
         std::size_t matched_rows = 0;     // how many rows came of them
         std::uint64_t material_changes = ~std::uint64_t{0}; // Shapes' when materials were mixed last
         std::vector<Contact> rows;
-        std::vector<std::uint32_t> ways[kWays]; // rows by how their manifold is found
-        std::vector<std::uint32_t> one_way;     // rows whose passage is to be decided
-        std::vector<Contact> parted;            // touched in the last step, and now not even their bounds meet
+        std::vector<Contact> parted; // touched in the last step, and now not even their bounds meet
     } scratch;
 };
 

@@ -9,10 +9,9 @@ namespace {
 
 // A switch of reference edge costs warm starting, so the other one must be better by this much (metres).
 constexpr float kReferenceBias = 0.1f * kSlop;
-constexpr std::size_t kGrain = 256; // contacts a chunk
+constexpr std::size_t kGrain = 1024; // contacts a chunk: their rows stay in the cache from the first look to the last
 
-enum Way { boxes, circles, box_circle, circle_box, polygons, polygon_circle, circle_polygon, one_by_one };
-static_assert(one_by_one + 1 == kWays);
+enum Way { boxes, circles, box_circle, circle_box, polygons, polygon_circle, circle_polygon, one_by_one, kWays };
 
 Way way_of(unsigned a, unsigned b) {
     constexpr Way kTable[4][4] = {
@@ -50,22 +49,25 @@ void mix_materials(Contact& c, const Shapes& shapes) { // SPEC C5
     c.restitution = std::max(m.restitution, n.restitution);
 }
 
+struct Sorted { // a chunk's contacts by the way their manifolds are found, as numbers from its first on
+    std::uint16_t count[kWays] = {};
+    std::uint16_t rows[kWays][kGrain];
+    std::uint16_t one_ways = 0;
+    std::uint16_t one_way[kGrain]; // whose passage is to be decided
+};
+
 // Contacts of bodies at rest stay as they are, unless they are new: nothing has changed between them.
-void sort_by_way(Contacts& contacts, const Placements& placed, const Shapes& shapes) {
-    auto& s = contacts.scratch;
-    bool mix_all = s.material_changes != shapes.material_changes;
-    s.material_changes = shapes.material_changes;
-    for (auto& way : s.ways) way.clear();
-    s.one_way.clear();
-    for (std::uint32_t row = 0; row < contacts.rows.size(); ++row) {
-        Contact& c = contacts.rows[row];
+void sort_by_way(Sorted& sorted, std::span<Contact> rows, const Placements& placed, const Shapes& shapes, bool mix) {
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        Contact& c = rows[row];
         unsigned a = placed.kinds[c.piece_a], b = placed.kinds[c.piece_b];
-        if (mix_all || c.fresh) mix_materials(c, shapes);
+        if (mix || c.fresh) mix_materials(c, shapes);
         if (!c.fresh && (a & b & kResting)) continue;
         c.fresh = false;
         if (c.sensor) continue; // looked at after the step: collider/events.cpp
-        if (c.one_way) s.one_way.push_back(row);
-        s.ways[way_of(a & ~unsigned{kResting}, b & ~unsigned{kResting})].push_back(row);
+        Way way = way_of(a & kFormKind, b & kFormKind);
+        sorted.rows[way][sorted.count[way]++] = static_cast<std::uint16_t>(row);
+        if (c.one_way) sorted.one_way[sorted.one_ways++] = static_cast<std::uint16_t>(row);
     }
 }
 
@@ -138,20 +140,22 @@ void take_over(Contact& c, const ManifoldSketch& sketch, const Body& a, const Bo
 }
 
 // A last eight that is not full repeats its last pair.
-void update_eight(Contacts& contacts, const Shapes& shapes, const FormTables& tables, Kernel kernel,
-                  std::span<const std::uint32_t> rows) {
+void update_eight(std::span<Contact> contacts, const Shapes& shapes, const FormTables& tables, Kernel kernel,
+                  std::size_t way, std::span<const std::uint16_t> rows) {
     EightPairs pairs;
     EightManifolds manifolds;
     for (std::size_t i = 0; i < 8; ++i) {
-        const Contact& c = contacts.rows[rows[std::min(i, rows.size() - 1)]];
+        const Contact& c = contacts[rows[std::min(i, rows.size() - 1)]];
         pairs.a[i] = c.piece_a;
         pairs.b[i] = c.piece_b;
-        pairs.corners_a[i] = static_cast<std::int32_t>(shapes.pieces[c.piece_a].count);
-        pairs.corners_b[i] = static_cast<std::int32_t>(shapes.pieces[c.piece_b].count);
         pairs.axis[i] = packed(c.axis);
     }
+    for (std::size_t i = 0; way >= polygons && i < 8; ++i) { // the others need none
+        pairs.corners_a[i] = shapes.pieces[pairs.a[i]].count;
+        pairs.corners_b[i] = shapes.pieces[pairs.b[i]].count;
+    }
     kernel(tables, pairs, manifolds);
-    for (std::size_t i = 0; i < rows.size(); ++i) take_over(contacts.rows[rows[i]], manifolds, i);
+    for (std::size_t i = 0; i < rows.size(); ++i) take_over(contacts[rows[i]], manifolds, i);
 }
 
 // Contacts in advance of touching, so that a fast body is slowed just enough (SPEC C8); no further than half the smaller
@@ -173,23 +177,24 @@ void update_one(Contact& c, const Shapes& shapes, const Bodies& bodies, float dt
 
 void update_manifolds(Contacts& contacts, const Placements& placed, const Shapes& shapes, const Bodies& bodies,
                       float dt, InstructionSet set, Threads& threads) {
-    sort_by_way(contacts, placed, shapes);
+    bool mix = contacts.scratch.material_changes != shapes.material_changes;
+    contacts.scratch.material_changes = shapes.material_changes;
     FormTables tables{reinterpret_cast<const float*>(placed.forms.data()),
                       reinterpret_cast<const float*>(shapes.few_corners.data()), kMargin, kReferenceBias};
-    for (std::size_t way = 0; way < one_by_one; ++way) {
-        std::span<const std::uint32_t> rows = contacts.scratch.ways[way];
-        Kernel kernel = kernel_for(way, set);
-        parallel_for(threads, rows.size(), kGrain, [&](std::size_t first, std::size_t last) {
-            for (; first < last; first += 8)
-                update_eight(contacts, shapes, tables, kernel,
-                             rows.subspan(first, std::min<std::size_t>(8, last - first)));
-        });
-    }
-    std::span<const std::uint32_t> rest = contacts.scratch.ways[one_by_one];
-    parallel_for(threads, rest.size(), kGrain / 8, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) update_one(contacts.rows[rest[i]], shapes, bodies, dt);
+    parallel_for(threads, contacts.rows.size(), kGrain, [&](std::size_t first, std::size_t last) {
+        std::span<Contact> chunk(contacts.rows.data() + first, last - first);
+        Sorted sorted;
+        sort_by_way(sorted, chunk, placed, shapes, mix);
+        for (std::size_t way = 0; way < one_by_one; ++way) {
+            std::span<const std::uint16_t> rows(sorted.rows[way], sorted.count[way]);
+            for (std::size_t i = 0; i < rows.size(); i += 8)
+                update_eight(chunk, shapes, tables, kernel_for(way, set), way,
+                             rows.subspan(i, std::min<std::size_t>(8, rows.size() - i)));
+        }
+        for (std::size_t i = 0; i < sorted.count[one_by_one]; ++i)
+            update_one(chunk[sorted.rows[one_by_one][i]], shapes, bodies, dt);
+        for (std::size_t i = 0; i < sorted.one_ways; ++i) decide_passage(chunk[sorted.one_way[i]], shapes, bodies, dt);
     });
-    for (std::uint32_t row : contacts.scratch.one_way) decide_passage(contacts.rows[row], shapes, bodies, dt);
 }
 
 void update_manifolds_one_by_one(Contacts& contacts, const Shapes& shapes, const Bodies& bodies, float dt) {

@@ -15,7 +15,6 @@ constexpr std::size_t kGrain = 1024; // pieces
 void grow(Placements& placed, std::size_t pieces) {
     std::size_t whole = (pieces + 7) / 8 * 8;
     placed.bodies.resize(whole);
-    placed.sensors.resize(whole);
     placed.forms.resize(whole);
     placed.octaves.resize(whole);
     placed.kinds.resize(whole);
@@ -25,11 +24,11 @@ void grow(Placements& placed, std::size_t pieces) {
 void note_body(Placements& placed, const Shapes& shapes, const Bodies& bodies, std::uint32_t p) {
     std::uint32_t body = shapes.piece_slots.taken(p) ? shapes.pieces[p].body : 0;
     const Body& b = bodies.rows[body];
-    bool resting = b.kind == BodyKind::fixed || (b.kind == BodyKind::dynamic && !b.awake);
+    bool dynamic = b.kind == BodyKind::dynamic, resting = b.kind == BodyKind::fixed || (dynamic && !b.awake);
     placed.bodies[p] = body;
-    placed.sensors[p] = shapes.pieces[p].sensor;
-    placed.kinds[p] =
-        static_cast<std::uint8_t>(static_cast<unsigned>(shapes.form_kinds[p]) | (resting ? kResting : 0u));
+    bool seeks = dynamic || shapes.pieces[p].sensor;
+    placed.kinds[p] = static_cast<std::uint8_t>(static_cast<unsigned>(shapes.form_kinds[p]) |
+                                                (resting ? kResting : 0u) | (seeks ? kSeeks : 0u));
 }
 
 } // namespace
@@ -39,7 +38,6 @@ void place_pieces(Placements& placed, const Shapes& shapes, const Bodies& bodies
     std::size_t pieces = shapes.forms.size();
     grow(placed, pieces);
     if (pieces == 0) return;
-    for (std::uint32_t p = 0; p < pieces; ++p) note_body(placed, shapes, bodies, p);
     PlacingRows rows{reinterpret_cast<const float*>(bodies.rows.data()),
                      sizeof(Body) / 32,
                      reinterpret_cast<const float*>(shapes.forms.data()),
@@ -54,7 +52,10 @@ void place_pieces(Placements& placed, const Shapes& shapes, const Bodies& bodies
                      dt,
                      kMargin};
     auto place = EVIL_PICK(set, place_pieces);
-    parallel_for(threads, pieces, kGrain, [&](std::size_t first, std::size_t last) { place(rows, first, last); });
+    parallel_for(threads, pieces, kGrain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t p = first; p < last; ++p) note_body(placed, shapes, bodies, static_cast<std::uint32_t>(p));
+        place(rows, first, last);
+    });
     std::fill(placed.octaves.begin() + static_cast<std::ptrdiff_t>(pieces), placed.octaves.end(), kNoOctave);
     if (shapes.piece_slots.count() == pieces) return;
     for (std::uint32_t p = 0; p < pieces; ++p)

@@ -30,14 +30,15 @@ static_assert(sizeof(PlacedForm) == 64);
 
 struct Placements { // Scratch, by piece slot; rounded up to whole lanes
     std::vector<std::uint32_t> bodies;
-    std::vector<std::uint8_t> kinds;   // FormKind, and kResting where nothing moves the body
-    std::vector<std::uint8_t> sensors; // 1: of a sensor, which sees whatever comes
+    std::vector<std::uint8_t> kinds; // FormKind, and what there is to know of the body
     std::vector<PlacedForm> forms;
     std::vector<float> low_x, low_y, high_x, high_y; // bounds, grown by half the margin and by what it may move
     std::vector<std::int32_t> octaves; // floor(log2) of the bounds' longer side; kNoOctave for slots without a piece
 };
 inline constexpr std::int32_t kNoOctave = -1000;
-inline constexpr std::uint8_t kResting = 0x80; // whatever moves a body by hand wakes those it has contacts with
+inline constexpr std::uint8_t kResting = 0x80; // nothing moves the body; what does so by hand wakes what it touches
+inline constexpr std::uint8_t kSeeks = 0x40;   // of a dynamic body, or a sensor, which sees whatever comes
+inline constexpr std::uint8_t kFormKind = 0x0f;
 
 void place_pieces(Placements& placed, const Shapes& shapes, const Bodies& bodies, float dt, InstructionSet set,
                   Threads& threads);
