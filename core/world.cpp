@@ -12,7 +12,9 @@ void World::step(float dt, int substeps) {
     update_manifolds(contacts, placed, shapes, bodies, dt, instruction_set, threads); // exact: SAT, contact points
     drop_ghosts(seams, contacts, shapes, bodies);
     wake_islands(solver, bodies, contacts, joints, forces);
+    find_buried(buried, contacts, bodies);
     solve(solver, bodies, contacts, joints, forces, gravity, {dt, substeps, instruction_set});
+    calm_buried(buried, bodies);
     stop_at_walls(solver.paths, bodies, shapes);
     break_joints(*this);
     sleep_islands(solver, bodies, shapes, dt, sleep_allowed);

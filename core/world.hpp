@@ -7,6 +7,7 @@
 #include "collider/search.hpp"
 #include "forces/forces.hpp"
 #include "published.hpp"
+#include "solver/buried.hpp"
 #include "solver/joints/joint.hpp"
 #include "solver/solver.hpp"
 #include "threads.hpp"
@@ -51,6 +52,7 @@ struct World {
     BroadPhase broad;
     Seams seams;
     Solver solver;
+    Buried buried;
     Search search;
 
     // Results: what readers see

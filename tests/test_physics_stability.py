@@ -99,7 +99,10 @@ def test_a_stack_of_light_boxes_carries_a_heavy_one(height, load):
     assert all(above.position.y - below.position.y > 0.9 for below, above in itertools.pairwise(boxes))
 
 
-def card_house(world, storeys, lean=math.radians(20)):
+LEAN = math.radians(20)
+
+
+def card_house(world, storeys, lean=LEAN):
     """Tents of two cards each that lean on each other; flat cards lie across their tops and carry the next storey."""
     long, thick = 1.0, 0.04
     half = 0.5 * (long * math.sin(lean) + thick * math.cos(lean))  # of what a leaning card takes up across

@@ -116,9 +116,11 @@ void collide_boxes(const FormTables& t, const EightPairs& pairs, EightManifolds&
 void collide_circles(const FormTables& t, const EightPairs& pairs, EightManifolds& out) noexcept {
     const WidePair p = load_pair(t, pairs.a, pairs.b);
     Floats distance = length(p.between), gap = distance - p.a.radius - p.b.radius;
-    Mask separate = distance > Floats(0.0f); // one inside the other's centre: any way out
-    WideVec normal = {select(separate, p.between.x / distance, Floats(0.0f)),
-                      select(separate, p.between.y / distance, Floats(1.0f))};
+    Mask separate = distance > Floats(0.0f);
+    // Centre on centre any way out will do, but another for each pair: a crowd made in one point would rise as a column.
+    Floats x = to_float((load(pairs.a) ^ (load(pairs.b) * Ints(0x2545f491))) >> 7) * Floats(1.0f / (1 << 24));
+    WideVec normal = {select(separate, p.between.x / distance, x),
+                      select(separate, p.between.y / distance, sqrt(Floats(1.0f) - x * x))};
     WidePoint point{(p.a.radius + Floats(0.5f) * gap) * normal, gap, 0};
     store_single<false>(p, normal, gap <= p.margin, point, load(pairs.axis), out);
 }

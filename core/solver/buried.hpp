@@ -1,0 +1,24 @@
+#pragma once
+// Bodies that lie inside each other, as where many are made in one place: they come apart, they are not shot apart.
+#include "bodies.hpp"
+#include "collider/contact.hpp"
+
+namespace evil {
+
+struct Buried { // Scratch
+    struct Row {
+        std::uint32_t slot;
+        float speed, spin; // before the step was solved
+    };
+    std::vector<std::uint32_t> slots; // of bodies, once for each deep contact
+    std::vector<Row> rows;            // bodies with several
+};
+
+// Before a step is solved: note the bodies in which several contacts lie deep.
+void find_buried(Buried& buried, const Contacts& contacts, const Bodies& bodies);
+
+// After it: overlap gave them no more speed than one contact's push does. Each of many adds one of its own, so a body
+// under a thousand others would leave like a shot.
+void calm_buried(const Buried& buried, Bodies& bodies);
+
+} // namespace evil
