@@ -1,7 +1,7 @@
 """Every scene comes out to the same bits: on every instruction set, for any number of threads, in any process.
 
-The sums are in golden/scenes.json. A change of the physics changes them: look at the scenes (`evil testbed`), then write
-the new ones by `python tests/test_scene_bits.py` and say in the commit why they changed.
+The sums are in golden/scenes.json. A change of the physics changes them: look at the scenes (`evil testbed`), then
+write the new ones by `python tests/test_scene_bits.py` and say in the commit why they changed.
 """
 
 from __future__ import annotations
