@@ -14,7 +14,8 @@ def steps_head(engines: Sequence[str]) -> str:
     """Over the rows of `steps_row`."""
     names = [OURS, *(f"{name} (ratio)" for name in engines)]
     return (
-        "ms a step, least / median; ratio: our time as a part of theirs, median of rounds side by side\n"
+        "ms a step, least / median; ratio: our time as a part of theirs, median of rounds side by side;"
+        " for threads: how many times as fast as one\n"
         + f"{'scene':<{WIDTHS[0]}}{'bodies':>{WIDTHS[1]}}{'contacts':>{WIDTHS[2]}}"
         + "".join(f"{name:>{COLUMN + 6}}" for name in names)
     )

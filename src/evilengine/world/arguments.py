@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
+from evilengine import _core
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
 from evilengine.values.vec2 import Vec2, to_vec2
 from evilengine.world.body import Body
@@ -15,6 +16,14 @@ MAX_SPEED = 1e5
 
 WORLD_EDGE = 1e7
 """Metres from the origin: a body that gets there stays there."""
+
+
+def parts_of(shape: object, owner: str) -> tuple[Sequence[ShapeDefinition], Sequence[_core.ShapeSpec]]:
+    """The shape or shapes that were given, and each as the core takes it."""
+    if isinstance(shape, ShapeDefinition):
+        return (shape,), (shape._spec,)
+    shapes = several(shape, owner)
+    return shapes, [one._spec for one in shapes]
 
 
 def several(shapes: object, owner: str) -> list[ShapeDefinition]:

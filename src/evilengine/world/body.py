@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING, TypeVar
 
 from evilengine import _core
@@ -38,10 +39,11 @@ class Body(_core.Body):
     False
     """
 
+    _callbacks: Mapping[str, Callbacks[...]] = MappingProxyType({})  # most bodies never have any
+
     def __init__(self, world: World, slot: int, generation: int) -> None:
         _core.Body.__init__(self, world._core, slot, generation)
         self._world = world
-        self._callbacks: dict[str, Callbacks[...]] = {}
 
     @property
     def world(self) -> World:
@@ -228,7 +230,7 @@ class Body(_core.Body):
     def _callback(self, name: str, *arguments: str) -> Callbacks[...]:
         self._require()
         if name not in self._callbacks:
-            self._callbacks[name] = Callbacks(f"Body.{name}", *arguments)
+            self._callbacks = {**self._callbacks, name: Callbacks(f"Body.{name}", *arguments)}
             self._world._heard.add(name)
             if name == "on_update":
                 self._world._updated.append(self)

@@ -12,7 +12,7 @@ from evilengine.values.vec2 import Point, Vec2, to_vec2
 from evilengine.world import forces as force_kinds
 from evilengine.world import saving, stepping
 from evilengine.world.adding import MAX_SPIN, Recipes
-from evilengine.world.arguments import listed, place, several, speed
+from evilengine.world.arguments import listed, parts_of, place, speed
 from evilengine.world.bodies import Bodies, BodyList, Numbers, Points
 from evilengine.world.body import Body, Motion, Shape, to_tag
 from evilengine.world.forces import Force
@@ -169,8 +169,7 @@ class World(Queries, Happenings):
             kind, density, mass, friction, restitution, damping, angular_damping, drag, gravity_scale, bullet,
             touchable, category, mask, group, sensor, one_way, surface_speed,
         ))  # fmt: skip
-        shapes = (shape,) if isinstance(shape, ShapeDefinition) else several(shape, me)
-        specs = [one._spec for one in shapes]
+        shapes, specs = parts_of(shape, me)
         made = self._core.add(recipe, specs, at, angle, velocity, angular_velocity, tag)
         if made is None:  # something is not plain: make it so, or say what it should have been
             turn = number(angle, me, "angle", least=-1e15, most=1e15)
@@ -178,8 +177,9 @@ class World(Queries, Happenings):
             made = self._core.add(recipe, specs, place(at, me), turn, speed(velocity, me), spin, to_tag(tag, me))
             assert made is not None
         slot, generation = made[0], made[1]
-        for i, definition in enumerate(shapes, 2):
-            self._definitions[made[i]] = definition
+        self._definitions[made[2]] = shapes[0]
+        for i in range(1, len(shapes)):
+            self._definitions[made[i + 2]] = shapes[i]
         body = self._handles[slot] = self._body_type(self, slot, generation)
         return body
 
@@ -226,9 +226,9 @@ class World(Queries, Happenings):
             kind, density, mass, friction, restitution, damping, angular_damping, drag, gravity_scale, bullet,
             touchable, category, mask, group, sensor, one_way, surface_speed,
         ))  # fmt: skip
-        shapes = (shape,) if isinstance(shape, ShapeDefinition) else several(shape, me)
+        shapes, specs = parts_of(shape, me)
         refs, slots = self._core.add_many(
-            recipe, [one._spec for one in shapes], positions, angles, velocities, angular_velocities, to_tag(tag, me)
+            recipe, specs, positions, angles, velocities, angular_velocities, to_tag(tag, me)
         )
         for i, definition in enumerate(shapes):
             self._definitions.update(dict.fromkeys(slots[i :: len(shapes)], definition))
