@@ -227,35 +227,28 @@ void drop_kept_apart(BroadPhase& broad, const Placements& placed, std::size_t fi
     }
 }
 
-// Counting sort by the first piece, then each piece's few by the second.
+// Counting sort by the second piece, then by the first.
 void sort_pairs(BroadPhase& broad, std::size_t chunks, std::size_t pieces, std::vector<Pair>& pairs) {
-    auto& starts = broad.starts;
-    starts.assign(pieces + 1, 0);
+    auto &by_first = broad.by_first, &by_second = broad.by_second;
+    by_first.assign(pieces + 1, 0);
+    by_second.assign(pieces + 1, 0);
     auto each = [&](auto&& visit) {
         for (std::size_t chunk = 0; chunk < chunks; ++chunk)
-            for (std::size_t i = 0; i < broad.found_counts[chunk]; ++i) visit(broad.found[chunk][i]);
+            for (std::uint64_t pair : std::span(broad.found[chunk]).first(broad.found_counts[chunk]))
+                visit(static_cast<std::uint32_t>(pair >> 32), static_cast<std::uint32_t>(pair));
     };
-    each([&](std::uint64_t pair) { ++starts[(pair >> 32) + 1]; });
-    for (std::size_t i = 0; i < pieces; ++i) starts[i + 1] += starts[i];
-    pairs.resize(starts[pieces]);
-    each([&](std::uint64_t pair) {
-        auto a = static_cast<std::uint32_t>(pair >> 32);
-        pairs[starts[a]++] = {a, static_cast<std::uint32_t>(pair)};
+    each([&](std::uint32_t a, std::uint32_t b) {
+        ++by_first[a + 1];
+        ++by_second[b + 1];
     });
-    auto by_second = [](Pair p, Pair q) { return p.b < q.b; };
-    std::uint32_t begin = 0;
-    for (std::size_t i = 0; i < pieces; begin = starts[i++]) {
-        if (starts[i] - begin > 16) {
-            std::sort(pairs.begin() + begin, pairs.begin() + starts[i], by_second);
-            continue;
-        }
-        for (std::uint32_t k = begin + 1; k < starts[i]; ++k) { // most have two or three
-            Pair moving = pairs[k];
-            std::uint32_t at = k;
-            for (; at > begin && by_second(moving, pairs[at - 1]); --at) pairs[at] = pairs[at - 1];
-            pairs[at] = moving;
-        }
+    for (std::size_t i = 0; i < pieces; ++i) {
+        by_first[i + 1] += by_first[i];
+        by_second[i + 1] += by_second[i];
     }
+    broad.sorted.resize(by_first[pieces]);
+    pairs.resize(by_first[pieces]);
+    each([&](std::uint32_t a, std::uint32_t b) { broad.sorted[by_second[b]++] = {a, b}; });
+    for (Pair pair : broad.sorted) pairs[by_first[pair.a]++] = pair;
 }
 
 } // namespace

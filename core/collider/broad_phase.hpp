@@ -45,7 +45,8 @@ struct BroadPhase { // Scratch
     std::vector<std::uint32_t> counts;
     std::vector<std::vector<std::uint64_t>> found; // by chunk of work
     std::vector<std::size_t> found_counts;
-    std::vector<std::uint32_t> starts; // by piece: where its pairs go
+    std::vector<std::uint32_t> by_first, by_second; // by piece: where its pairs go
+    std::vector<Pair> sorted;                       // by the second piece
 };
 
 // All pairs of pieces whose bounds overlap, at least one of a dynamic body or a sensor, of different

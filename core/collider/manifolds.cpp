@@ -71,12 +71,12 @@ void sort_by_way(Sorted& sorted, std::span<Contact> rows, const Placements& plac
     }
 }
 
-// What the points of the last step leave to those with their ids.
+// What the points of the last step leave to those with their ids; without branches, which no one could foretell.
 struct Impulses {
     std::uint32_t id[2];
     float normal[2], tangent[2];
-    int count;
-    explicit Impulses(const Contact& c) : count(c.count) {
+    bool there[2];
+    explicit Impulses(const Contact& c) : there{c.count > 0, c.count > 1} {
         for (int i = 0; i < 2; ++i) {
             id[i] = c.points[i].id;
             normal[i] = c.points[i].normal_impulse;
@@ -84,11 +84,9 @@ struct Impulses {
         }
     }
     void give(ManifoldPoint& point) const {
-        for (int i = 0; i < count; ++i) {
-            if (id[i] != point.id) continue;
-            point.normal_impulse = normal[i];
-            point.tangent_impulse = tangent[i];
-        }
+        bool first = there[0] & (id[0] == point.id), second = there[1] & (id[1] == point.id);
+        point.normal_impulse = second ? normal[1] : first ? normal[0] : 0.0f;
+        point.tangent_impulse = second ? tangent[1] : first ? tangent[0] : 0.0f;
     }
 };
 
@@ -108,14 +106,15 @@ void take_over(Contact& c, const EightManifolds& m, std::size_t lane) {
     Impulses last(c);
     c.count = static_cast<std::uint8_t>(m.count[lane]);
     c.normal = {m.normal_x[lane], m.normal_y[lane]};
-    for (std::size_t i = 0; i < 2; ++i) {
-        ManifoldPoint& point = c.points[i] = {};
-        if (i >= c.count) continue;
+    c.points[1] = {};
+    for (std::size_t i = 0; i < c.count; ++i) {
         const auto& from = m.points[i];
+        ManifoldPoint& point = c.points[i];
         point.anchor_a = {from.anchor_ax[lane], from.anchor_ay[lane]};
         point.anchor_b = {from.anchor_bx[lane], from.anchor_by[lane]};
         point.separation = from.separation[lane];
         point.id = from.id[lane];
+        point.total_impulse = point.closing_speed = 0.0f;
         last.give(point);
     }
 }
