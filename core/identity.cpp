@@ -58,8 +58,8 @@ std::uint64_t fingerprint(const Body& b, const std::string& tag, std::span<const
 std::uint64_t fingerprint(const Force& f, const Area& area) {
     Print print;
     print << word(f.kind) << word(f.everywhere) << f.vector << f.anchor << word(f.at_anchor) << word(f.target)
-          << f.stiffness << f.rest_length << f.damping << f.linear << f.quadratic << f.limit << f.note << area.centre
-          << area.radius;
+          << f.stiffness << f.rest_length << f.damping << f.linear << f.quadratic << f.limit << f.density << f.note
+          << area.centre << area.radius;
     for (const std::vector<Vec2>& part : area.parts) print << part;
     return print.value();
 }

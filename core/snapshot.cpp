@@ -193,6 +193,8 @@ bool forces_hold_together(const SavedState& s) {
         const Force& f = s.forces.rows[i];
         if (f.kind > ForceKind::python || (f.target != kNone && !taken(s.body_taken, f.target))) return false;
         if (f.serial >= s.forces.next_serial) return false;
+        for (const auto& part : s.forces.areas[i].parts)
+            if (part.size() < 3) return false;
         for (std::uint32_t body : f.bodies)
             if (!taken(s.body_taken, body)) return false;
     }

@@ -49,7 +49,7 @@ template <class A, Like<Touch> V> void visit(A& ar, V& t) { // references by slo
 
 template <class A, Like<Force> V> void visit(A& ar, V& f) {
     visit(ar, f.kind, f.everywhere, f.vector, f.anchor, f.at_anchor, f.target, f.stiffness, f.rest_length, f.damping,
-          f.linear, f.quadratic, f.limit, f.serial, f.born);
+          f.linear, f.quadratic, f.limit, f.density, f.serial, f.born);
     visit(ar, f.bodies);
     visit(ar, f.note);
 }

@@ -11,8 +11,10 @@ void World::step(float dt, int substeps) {
     match_pairs(contacts, shapes, joints);
     update_manifolds(contacts, placed, shapes, bodies, dt, instruction_set, threads); // exact: SAT, contact points
     drop_ghosts(seams, contacts, shapes, bodies);
+    stir_media(forces, bodies, shapes);
     wake_islands(solver, bodies, contacts, joints, forces);
     find_buried(buried, contacts, bodies);
+    apply_media(forces, bodies, shapes, gravity, dt, media);
     solve(solver, bodies, contacts, joints, forces, gravity, {dt, substeps, instruction_set});
     calm_buried(buried, bodies);
     stop_at_walls(solver.paths, bodies, shapes);

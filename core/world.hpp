@@ -5,7 +5,7 @@
 #include "collider/events.hpp"
 #include "collider/seams.hpp"
 #include "collider/search.hpp"
-#include "forces/forces.hpp"
+#include "forces/media.hpp"
 #include "published.hpp"
 #include "solver/buried.hpp"
 #include "solver/joints/joint.hpp"
@@ -51,6 +51,7 @@ struct World {
     Placements placed;
     BroadPhase broad;
     Seams seams;
+    MediaScratch media;
     Solver solver;
     Buried buried;
     Search search;
@@ -84,6 +85,7 @@ Added<ShapeRef> add_shape(World& world, std::uint32_t body, const NewShape& shap
 void destroy_shape(World& world, std::uint32_t shape);
 
 ForceRef add_force(World& world, Force force, Area area);
+void set_area(World& world, std::uint32_t force, Area area);
 void attach(World& world, std::uint32_t force, std::uint32_t body);
 void detach(World& world, std::uint32_t force, std::uint32_t body);
 void destroy_force(World& world, std::uint32_t force);

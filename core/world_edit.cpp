@@ -210,6 +210,12 @@ ForceRef add_force(World& world, Force force, Area area) {
     return {slot, forces.slots.generation(slot)};
 }
 
+void set_area(World& world, std::uint32_t force, Area area) {
+    world.forces.areas[force] = std::move(area);
+    for (std::uint32_t body : world.forces.rows[force].bodies) wake(world, body);
+    if (world.forces.rows[force].everywhere) wake_all(world);
+}
+
 void attach(World& world, std::uint32_t force, std::uint32_t body) {
     auto& list = world.forces.rows[force].bodies;
     if (std::ranges::find(list, body) == list.end()) list.push_back(body);

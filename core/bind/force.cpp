@@ -1,7 +1,47 @@
 #include "bind/handle.hpp"
+#include "shapes/rounded.hpp"
 
 namespace evil::bind {
+
+NewShape used(const NewShape& spec, nb::handle offset, double angle, float density, float friction, float restitution);
+
+Area area_of(const NewShape& spec, nb::handle at, double angle) {
+    Affine m = used(spec, at, angle, 1.0f, 0.0f, 0.0f).shape.local;
+    Area area;
+    area.centre = {m.tx, m.ty};
+    if (spec.shape.kind == ShapeKind::circle) area.radius = spec.shape.radius;
+    bool skin = spec.shape.kind != ShapeKind::circle && spec.shape.radius > 0.0f;
+    if (spec.parts.size() > 1 && skin)
+        raise(ErrorKind::argument, "Medium: area cannot be a concave Polygon with rounding=; leave the rounding out");
+    if (skin) {
+        auto& corners = area.parts.emplace_back(rounded_outline(spec.corners, spec.shape.radius));
+        for (Vec2& corner : corners) corner = apply(m, corner);
+        return area;
+    }
+    for (const Part& part : spec.parts) {
+        auto& corners = area.parts.emplace_back();
+        for (std::uint32_t corner : part) corners.push_back(apply(m, spec.corners[corner]));
+    }
+    if (area.radius == 0.0f && area.parts.empty())
+        raise(ErrorKind::argument,
+              "Medium: area must be a shape with an inside: a Circle, Rectangle, Polygon, Capsule");
+    return area;
+}
+
 namespace {
+
+// ("circle", centre, radius) or ("parts", lists of corners), in the world or the frame of the body that carries it.
+Anything outline_of(const ForceHandle& h) {
+    const Area& area = h.world->forces.areas[(row(h), h.ref.slot)];
+    if (area.radius > 0.0f) return nb::borrow<Anything>(nb::make_tuple("circle", from_vec2(area.centre), area.radius));
+    nb::list parts;
+    for (const auto& part : area.parts) {
+        nb::list corners;
+        for (Vec2 corner : part) corners.append(from_vec2(corner));
+        parts.append(nb::tuple(corners));
+    }
+    return nb::borrow<Anything>(nb::make_tuple("parts", nb::tuple(parts)));
+}
 
 void wake_all_of(const ForceHandle& h) {
     const Force& f = row(h);
@@ -50,6 +90,12 @@ void register_force(nb::module_& module) {
     bind_float<&Force::linear>(c, "linear");
     bind_float<&Force::quadratic>(c, "quadratic");
     bind_float<&Force::limit>(c, "limit");
+    bind_float<&Force::density>(c, "density");
+    c.def_prop_ro("area", outline_of);
+    c.def("set_area", [](const ForceHandle& h, const NewShape& spec, nb::handle at, double angle) {
+        require_alive(h);
+        set_area(*h.world, h.ref.slot, area_of(spec, at, angle));
+    });
     c.def_prop_rw(
         "note", [](const ForceHandle& h) { return row(h).note; },
         [](const ForceHandle& h, const std::string& note) { row(h).note = note; });

@@ -6,6 +6,7 @@
 
 namespace evil::bind {
 
+Area area_of(const NewShape& spec, nb::handle at, double angle);
 void register_events(nb::module_& module, nb::class_<World>& world);
 NewShape used(const NewShape& spec, nb::handle offset, double angle, float density, float friction, float restitution);
 void bind_queries(nb::module_& module, nb::class_<World>& world);
@@ -123,21 +124,10 @@ std::vector<std::uint32_t> changed(const std::vector<std::uint32_t>& before, con
     return slots;
 }
 
-void set_area(Area& area, const NewShape& spec, nb::handle at, double angle) {
-    Affine m = used(spec, at, angle, 1.0f, 0.0f, 0.0f).shape.local;
-    area = {};
-    area.centre = {m.tx, m.ty};
-    if (spec.shape.kind == ShapeKind::circle) area.radius = spec.shape.radius;
-    for (const Part& part : spec.parts) {
-        auto& corners = area.parts.emplace_back();
-        for (std::uint32_t corner : part) corners.push_back(apply(m, spec.corners[corner]));
-    }
-}
-
 std::uint32_t add_force_of(World& w, int kind, bool everywhere, nb::handle vector, nb::handle anchor, bool at_anchor,
                            std::uint32_t target, float stiffness, float rest_length, float damping, float linear,
-                           float quadratic, float limit, const NewShape* area, nb::handle area_at, double area_angle,
-                           std::string note) {
+                           float quadratic, float limit, float density, const NewShape* area, nb::handle area_at,
+                           double area_angle, std::string note) {
     Force f;
     f.kind = static_cast<ForceKind>(kind);
     f.everywhere = everywhere;
@@ -151,9 +141,10 @@ std::uint32_t add_force_of(World& w, int kind, bool everywhere, nb::handle vecto
     f.linear = linear;
     f.quadratic = quadratic;
     f.limit = limit;
+    f.density = density;
     f.note = std::move(note);
     Area where;
-    if (area) set_area(where, *area, area_at, area_angle);
+    if (area) where = area_of(*area, area_at, area_angle);
     return add_force(w, std::move(f), std::move(where)).slot;
 }
 
@@ -170,8 +161,8 @@ void bind_objects(nb::class_<World>& c) {
     });
     c.def("add_force", add_force_of, nb::kw_only(), nb::arg("kind"), nb::arg("everywhere"), nb::arg("vector"),
           nb::arg("anchor"), nb::arg("at_anchor"), nb::arg("target"), nb::arg("stiffness"), nb::arg("rest_length"),
-          nb::arg("damping"), nb::arg("linear"), nb::arg("quadratic"), nb::arg("limit"), nb::arg("area").none(),
-          nb::arg("area_at"), nb::arg("area_angle"), nb::arg("note"));
+          nb::arg("damping"), nb::arg("linear"), nb::arg("quadratic"), nb::arg("limit"), nb::arg("density"),
+          nb::arg("area").none(), nb::arg("area_at"), nb::arg("area_angle"), nb::arg("note"));
     c.def("body_slots", body_slots);
     c.def("force_slots", [](const World& w) {
         std::vector<std::uint32_t> list;

@@ -59,7 +59,7 @@ void apply_pull(const Force& f, const Body& b, Vec2 gravity, float h, Push& push
     push.torque -= turning / (1.0f + h * turning * b.inv_inertia) * b.spin;
 }
 
-void apply_one(const Force& f, const Area& area, const Bodies& bodies, std::uint32_t slot, Vec2 gravity, float h,
+void apply_one(const Force& f, const Bodies& bodies, std::uint32_t slot, Vec2 gravity, float h,
                std::span<Push> pushes) {
     const Body& b = bodies.rows[slot];
     if (b.kind != BodyKind::dynamic || !b.awake) return;
@@ -74,8 +74,7 @@ void apply_one(const Force& f, const Area& area, const Bodies& bodies, std::uint
         apply_spring(f, bodies, slot, h, pushes);
         break;
     case ForceKind::medium:
-        if (contains(area, b.centre)) apply_drag(f, b, h, pushes[slot]);
-        break;
+        break; // once a step, before it begins: forces/media.hpp
     case ForceKind::drag:
         apply_drag(f, b, h, pushes[slot]);
         break;
@@ -106,9 +105,9 @@ void apply_forces(const Forces& forces, const Bodies& bodies, Vec2 world_gravity
         const Force& f = forces.rows[i];
         if (f.everywhere) {
             for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot)
-                if (bodies.slots.taken(slot)) apply_one(f, forces.areas[i], bodies, slot, world_gravity, h, pushes);
+                if (bodies.slots.taken(slot)) apply_one(f, bodies, slot, world_gravity, h, pushes);
         } else {
-            for (std::uint32_t slot : f.bodies) apply_one(f, forces.areas[i], bodies, slot, world_gravity, h, pushes);
+            for (std::uint32_t slot : f.bodies) apply_one(f, bodies, slot, world_gravity, h, pushes);
         }
     }
 }

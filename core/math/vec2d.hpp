@@ -1,6 +1,7 @@
 #pragma once
 // 2D vectors in double, for geometry that must stay right far from the origin.
 #include "math/vec2.hpp"
+#include <concepts>
 
 namespace evil {
 
@@ -18,6 +19,8 @@ constexpr Vec2 narrow(Vec2d a) { return {static_cast<float>(a.x), static_cast<fl
 constexpr double dot(Vec2d a, Vec2d b) { return a.x * b.x + a.y * b.y; }
 constexpr double cross(Vec2d a, Vec2d b) { return a.x * b.y - a.y * b.x; }
 constexpr Vec2d left_of(Vec2d a) { return {-a.y, a.x}; }
-inline double length(Vec2d a) { return std::sqrt(dot(a, a)); }
+template <std::same_as<Vec2d> V> double length(V a) { // so that length({x, y}) is of floats
+    return std::sqrt(dot(a, a));
+}
 
 } // namespace evil

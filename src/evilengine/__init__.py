@@ -33,7 +33,8 @@ from evilengine.values.version import VERSION
 from evilengine.world import joints
 from evilengine.world.body import Body, Shape
 from evilengine.world.contacts import Contact
-from evilengine.world.forces import ConstantForce, Drag, Force, Gravity, Medium, Pull, Spring
+from evilengine.world.forces import ConstantForce, Drag, Force, Gravity, Pull, Spring
+from evilengine.world.media import Medium
 from evilengine.world.queries import RayHit
 from evilengine.world.sensors import Visit
 from evilengine.world.shapes import Capsule, Chain, Circle, Particle, Polygon, Rectangle, Segment, Triangle

@@ -25,7 +25,8 @@ from evilengine.values.diagnostics import level_error
 from evilengine.values.errors import ArgumentError, Error, LevelError
 from evilengine.values.level import Area, Block, Called, Corners, LevelScript, Make, Number, Pair, Tagged
 from evilengine.world.body import Body
-from evilengine.world.forces import ConstantForce, Drag, Medium, Spring
+from evilengine.world.forces import ConstantForce, Drag, Spring
+from evilengine.world.media import Medium
 from evilengine.world.shapes import Circle, Particle, Polygon, Rectangle, Triangle
 from evilengine.world.world import World
 

@@ -15,7 +15,6 @@ from evilengine import _core
 from evilengine.values.checks import known_keywords, number
 from evilengine.values.errors import ArgumentError, ArgumentTypeError, SnapshotError
 from evilengine.values.vec2 import Point, Vec2, to_vec2
-from evilengine.world.shapes import Rectangle, ShapeDefinition
 
 if TYPE_CHECKING:
     from evilengine.world.body import Body
@@ -147,7 +146,7 @@ class Force:
         vars(self).update(state)
 
 
-class _Value:
+class Value:
     """A number or point of a built-in force: kept here until it is added, in the core from then on."""
 
     def __init__(self, field: str, *, point: bool = False, least: float | None = None) -> None:
@@ -181,7 +180,7 @@ class Gravity(Force):
     """
 
     _kind = GRAVITY
-    acceleration = _Value("vector", point=True)
+    acceleration = Value("vector", point=True)
 
     @known_keywords
     def __init__(self, acceleration: Point) -> None:
@@ -199,7 +198,7 @@ class ConstantForce(Force):
     """
 
     _kind = CONSTANT
-    force = _Value("vector", point=True)
+    force = Value("vector", point=True)
 
     @known_keywords
     def __init__(self, force: Point, *, at: Point | None = None) -> None:
@@ -232,9 +231,9 @@ class Spring(Force):
     """
 
     _kind = SPRING
-    stiffness = _Value("stiffness", least=0.0)
-    rest_length = _Value("rest_length", least=0.0)
-    damping = _Value("damping", least=0.0)
+    stiffness = Value("stiffness", least=0.0)
+    rest_length = Value("rest_length", least=0.0)
+    damping = Value("damping", least=0.0)
 
     @known_keywords
     def __init__(
@@ -294,8 +293,8 @@ class Drag(Force):
     """
 
     _kind = DRAG
-    linear = _Value("linear", least=0.0)
-    quadratic = _Value("quadratic", least=0.0)
+    linear = Value("linear", least=0.0)
+    quadratic = Value("quadratic", least=0.0)
 
     @known_keywords
     def __init__(self, linear: float = 0.0, quadratic: float = 0.0) -> None:
@@ -303,45 +302,6 @@ class Drag(Force):
 
     def _parameters(self, world: World) -> dict[str, Any]:
         return {"linear": self.linear, "quadratic": self.quadratic}
-
-
-class Medium(Force):
-    """An area with its own drag, such as mud or water: bodies whose centre of mass is inside are slowed as by Drag.
-
-    `area` is (left, bottom, right, top) or any shape, placed `at` and turned by `angle`.
-
-    >>> mud = Medium((-5, -2, 5, 0), linear=4)
-    >>> mud.linear
-    4.0
-    """
-
-    _kind = MEDIUM
-    linear = _Value("linear", least=0.0)
-    quadratic = _Value("quadratic", least=0.0)
-
-    @known_keywords
-    def __init__(
-        self,
-        area: Sequence[float] | ShapeDefinition,
-        *,
-        linear: float = 0.0,
-        quadratic: float = 0.0,
-        at: Point = (0.0, 0.0),
-        angle: float = 0.0,
-    ) -> None:
-        self.linear, self.quadratic = linear, quadratic
-        self.area, centre = to_area(area, "Medium")
-        self._at = centre + to_vec2(at, "Medium", "at")
-        self._angle = number(angle, "Medium", "angle")
-
-    def _parameters(self, world: World) -> dict[str, Any]:
-        return {
-            "linear": self.linear,
-            "quadratic": self.quadratic,
-            "area": self.area._spec,
-            "area_at": self._at,
-            "area_angle": self._angle,
-        }
 
 
 class Pull(Force):
@@ -353,9 +313,9 @@ class Pull(Force):
     """
 
     _kind = PULL
-    to = _Value("vector", point=True)
-    frequency = _Value("stiffness", least=0.0)
-    limit = _Value("limit", least=0.0)
+    to = Value("vector", point=True)
+    frequency = Value("stiffness", least=0.0)
+    limit = Value("limit", least=0.0)
 
     @known_keywords
     def __init__(self, to: Point, *, frequency: float = 3.0, limit: float = 400.0) -> None:
@@ -363,18 +323,3 @@ class Pull(Force):
 
     def _parameters(self, world: World) -> dict[str, Any]:
         return {"vector": self.to, "stiffness": self.frequency, "limit": self.limit}
-
-
-def to_area(area: object, owner: str) -> tuple[ShapeDefinition, Vec2]:
-    """A shape and where its origin is, from a shape or (left, bottom, right, top)."""
-    if isinstance(area, ShapeDefinition):
-        return area, Vec2(0.0, 0.0)
-    try:
-        left, bottom, right, top = (number(side, owner, "area") for side in area)  # type: ignore[attr-defined]
-    except (TypeError, ValueError) as problem:
-        if isinstance(problem, ArgumentError):
-            raise
-        raise ArgumentTypeError(f"{owner}: area={area!r} must be (left, bottom, right, top) or a shape") from None
-    if not (left < right and bottom < top):
-        raise ArgumentError(f"{owner}: area={area!r} must have left < right and bottom < top")
-    return Rectangle(right - left, top - bottom), Vec2(0.5 * (left + right), 0.5 * (bottom + top))

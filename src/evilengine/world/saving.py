@@ -12,13 +12,13 @@ from evilengine.values.errors import SnapshotError
 from evilengine.world import forces as kinds
 from evilengine.world.forces import Force
 from evilengine.world.joints import KINDS, Joint
+from evilengine.world.media import Medium
 
 if TYPE_CHECKING:
     from evilengine.world.world import World
 
 BUILT_IN: dict[int, type[Force]] = {
-    kind._kind: kind
-    for kind in (kinds.Gravity, kinds.ConstantForce, kinds.Spring, kinds.Drag, kinds.Medium, kinds.Pull)
+    kind._kind: kind for kind in (kinds.Gravity, kinds.ConstantForce, kinds.Spring, kinds.Drag, Medium, kinds.Pull)
 }
 
 

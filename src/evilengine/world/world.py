@@ -266,8 +266,9 @@ class World(Queries, Happenings):
     def _enter(self, force: Force, *, everywhere: bool) -> None:
         values: dict[str, Any] = {
             "vector": (0.0, 0.0), "anchor": (0.0, 0.0), "at_anchor": False, "target": _core.NO_SLOT, "stiffness": 0.0,
-            "rest_length": 0.0, "damping": 0.0, "linear": 0.0, "quadratic": 0.0, "limit": 0.0, "area": None,
-            "area_at": (0.0, 0.0), "area_angle": 0.0, "note": f"{type(force).__module__}.{type(force).__qualname__}",
+            "rest_length": 0.0, "damping": 0.0, "linear": 0.0, "quadratic": 0.0, "limit": 0.0, "density": 0.0,
+            "area": None, "area_at": (0.0, 0.0), "area_angle": 0.0,
+            "note": f"{type(force).__module__}.{type(force).__qualname__}",
         }  # fmt: skip
         values.update(force._parameters(self))
         slot = self._core.add_force(kind=force._kind, everywhere=everywhere, **values)
