@@ -22,6 +22,7 @@ struct SavedState { // what is read before the world is touched
     Events events;
     Forces forces;
     Joints joints;
+    Characters characters;
     std::vector<bool> body_taken, shape_taken, piece_taken, force_taken, joint_taken;
 };
 
@@ -111,6 +112,7 @@ void read_payload(Reader& ar, SavedState& s) {
         [&](std::uint32_t slot) { visit(ar, s.joints.rows[slot]); });
     visit(ar, s.contacts.rows);
     visit(ar, s.events.hit_speed, s.events.lost);
+    visit(ar, s.characters.rows);
     read_made(ar, s);
     ar.ok = ar.ok && ar.at_end();
 }
@@ -309,6 +311,7 @@ void restore(World& w, SavedState& s) {
     w.events = std::move(s.events);
     w.forces = std::move(s.forces);
     w.joints = std::move(s.joints);
+    w.characters.rows = std::move(s.characters.rows);
 
     std::size_t n = w.bodies.slots.size();
     w.present.assign(n, {});
@@ -322,12 +325,14 @@ void restore(World& w, SavedState& s) {
 std::uint64_t checksum(const World& world) {
     HashWriter ar;
     write_payload(ar, world);
+    if (!world.characters.rows.empty()) visit(ar, world.characters.rows); // a world without has the sum it always had
     return ar.sum();
 }
 
 std::size_t snapshot_size(const World& world) {
     Measure payload;
     write_payload(payload, world);
+    visit(payload, world.characters.rows);
     write_made(payload, world);
     return kHead + payload.size() + kTail;
 }
@@ -339,6 +344,7 @@ void write_snapshot(const World& world, std::span<std::uint8_t> out) {
     head.value(kSnapshotVersion);
     head.count(payload.size());
     write_payload(body, world);
+    visit(body, world.characters.rows);
     write_made(body, world);
     assert(body.full());
     tail.value(hash(payload));
@@ -364,7 +370,8 @@ ReadSnapshot read_snapshot(std::span<const std::uint8_t> bytes) {
     Reader ar(payload);
     read_payload(ar, *state);
     bool whole = ar.ok && shapes_hold_together(*state) && bodies_hold_together(*state) &&
-                 forces_hold_together(*state) && joints_hold_together(*state) && contacts_hold_together(*state);
+                 forces_hold_together(*state) && joints_hold_together(*state) && contacts_hold_together(*state) &&
+                 hold_together(state->characters, state->body_taken);
     if (!whole) return {nullptr, SnapshotProblem::inconsistent};
     rebuild_pieces(*state);
     for (std::uint32_t body = 0; body < state->body_taken.size(); ++body)

@@ -65,6 +65,21 @@ template <class A, Like<Joint> V> void visit(A& ar, V& j) {
           j.born);
 }
 
+template <class A, Like<Abilities> V> void visit(A& ar, V& a) {
+    visit(ar, a.speed, a.acceleration, a.deceleration, a.air_acceleration, a.air_deceleration, a.jump_height,
+          a.jump_cut, a.coyote_time, a.jump_buffer, a.air_jumps, a.gravity_scale, a.fall_speed, a.max_slope,
+          a.step_height, a.climb_speed, a.push_force, a.mass);
+}
+
+template <class A, Like<Ladder> V> void visit(A& ar, V& l) { visit(ar, l.low, l.high); }
+
+template <class A, Like<Character> V> void visit(A& ar, V& c) { // what a step found out is told after it, and not saved
+    visit(ar, c.body, c.abilities, c.wish.move, c.wish.climb, c.wish.jump);
+    visit(ar, c.ladders);
+    visit(ar, c.velocity, c.grounded, c.climbing, c.rising, c.crushed, c.ground, c.ground_normal, c.ground_velocity,
+          c.wall, c.since_ground, c.belt, c.dropping, c.jump_wanted, c.jumps_left);
+}
+
 template <class A, Like<Area> V> void visit(A& ar, V& a) {
     visit(ar, a.centre, a.radius);
     visit(ar, a.parts);

@@ -9,6 +9,7 @@ Sums sums(const World& world) {
     visit(forces, world.gravity);
     write_forces(forces, world);
     write_joints(forces, world);
+    if (!world.characters.rows.empty()) visit(bodies, world.characters.rows);
     return {bodies.sum(), contacts.sum(), forces.sum()};
 }
 

@@ -5,6 +5,7 @@ namespace evil {
 void World::step(float dt, int substeps) {
     Threads::Shift shift(threads);
     previous = present;
+    move_characters(*this, dt);
     place_pieces(placed, shapes, bodies, dt, instruction_set, threads);
     // approximate: whose bounds meet
     find_pairs(broad, placed, contacts.scratch.pairs, instruction_set, threads);

@@ -1,5 +1,6 @@
 #pragma once
 // One World: the State of every module side by side (SPEC A3), and the step that moves it.
+#include "character/character.hpp"
 #include "collider/broad_phase.hpp"
 #include "collider/contacts.hpp"
 #include "collider/events.hpp"
@@ -40,6 +41,7 @@ struct World {
     Events events;
     Forces forces;
     Joints joints;
+    Characters characters;
 
     // Which kernels it runs on; the bits are the same with any
     InstructionSet instruction_set = best_instruction_set();

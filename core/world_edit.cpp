@@ -143,6 +143,7 @@ Added<BodyRef> add_body(World& world, const Body& body, const std::string& tag, 
 void destroy_body(World& world, std::uint32_t slot) {
     wake_touching(world, slot);
     drop_from_forces(world, slot);
+    forget_character(world.characters, slot);
     drop_joints_of(world, slot);
     while (world.bodies.rows[slot].first_shape != kNone) {
         std::uint32_t shape = world.bodies.rows[slot].first_shape;

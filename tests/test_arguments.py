@@ -234,7 +234,7 @@ def public_calls() -> Iterator[tuple[str, Callable[..., object]]]:
 
 
 NOT_FOR_PEOPLE = {
-    *("Body", "Shape", "Force", "Contact", "RayHit", "Visit", "Image"),  # the engine makes these
+    *("Body", "Character", "Shape", "Force", "Contact", "RayHit", "Visit", "Image"),  # the engine makes these
     "Game.sprite",  # looks for its image first
     *("Camera.matrix", "Scene.collect", "Scene.texture_id", "Text.draw", "HeadlessDevice.show", "Drag.apply"),
     *("Vec2", "Vec2.cross", "Vec2.dot", "Vec2.turned"),  # too often called to look twice

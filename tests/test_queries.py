@@ -20,7 +20,11 @@ SHAPES = (
     evil.Rectangle(1.2, 0.5),
     evil.Triangle((-0.5, -0.4), (0.6, -0.3), (0, 0.7)),
     evil.Polygon([(-0.8, -0.8), (0.8, -0.8), (0.8, 0.8), (0, -0.2), (-0.8, 0.8)]),  # concave: two pieces or more
+    evil.Capsule((-0.4, 0), (0.4, 0.2), 0.25),
+    evil.Rectangle(0.9, 0.6, rounding=0.15),
+    evil.Segment((-0.6, 0), (0.6, 0.1)),
 )
+SOLID = SHAPES[:-1]
 KINDS = ("static", "kinematic", "dynamic")
 
 
@@ -109,6 +113,59 @@ def test_points_and_overlaps_find_whom_they_find_alone(
         assert not world.bodies_at(at)
 
 
+@settings(max_examples=60, deadline=None)
+@given(seeds, points, points, st.sampled_from(SOLID), st.floats(-4, 4))
+def test_a_shape_meets_the_first_of_what_it_meets_alone_and_just_touches_it(
+    seed: int, start: evil.Point, end: evil.Point, shape: evil.Circle, angle: float
+) -> None:
+    world = crowd(seed, 30)
+    way = evil.Vec2(*end) - start
+
+    def cast(ignore: object = None) -> evil.RayHit | None:
+        return world.shape_cast(shape, start, end, angle=angle, ignore=ignore)
+
+    each = [hit for _, hit in alone(world, lambda ignore: cast(ignore))]
+    hit = cast()
+    assert hit == min(each, key=lambda one: one.fraction, default=None)
+    everything = world.shape_cast_all(shape, start, end, angle=angle)
+    assert [one.body for one in everything] == [one.body for one in sorted(each, key=lambda one: one.fraction)]
+    at_first = set(world.overlapping(shape, at=start, angle=angle))
+    free = 1.0 if hit is None else hit.fraction
+    for part in (
+        0.3,
+        0.7,
+        0.999,
+    ):  # on the way there it overlaps nobody that it did not leave or slide along from the start
+        there = world.overlapping(shape, at=evil.Vec2(*start) + way * (free * part), angle=angle)
+        assert set(there) <= at_first
+    if hit is not None and hit.fraction > 0:
+        others = [body for body in world.bodies if body != hit.body]
+        met = evil.Vec2(*start) + way * hit.fraction - hit.normal * 0.004
+        if hit.shape.definition != SHAPES[-1]:  # a segment is hardly overlapped
+            assert world.overlapping(shape, at=met, angle=angle, ignore=others) == (hit.body,)
+        assert hit.normal.dot(way) < 0
+        assert hit.normal.length == pytest.approx(1, abs=1e-4)
+        assert world.nearest(hit.point, ignore=others).distance < 0.01
+
+
+def test_a_shape_that_rests_on_the_ground_can_be_moved_along_it_but_not_into_it() -> None:
+    world = evil.World()
+    ground = world.add(evil.Rectangle(20, 1), at=(0, -0.5), kind="static")
+    post = world.add(evil.Rectangle(1, 1), at=(5, 0.5), kind="static")
+    box = evil.Rectangle(1, 1)
+    assert world.shape_cast(box, (0, 0.5), (3, 0.5)) is None
+    assert world.shape_cast(box, (0, 0.5), (0, 3)) is None
+    assert world.shape_cast(box, (0, 0.4), (0, 3)) is None, "out of it"
+    along = world.shape_cast(box, (0, 0.5), (8, 0.5))
+    assert along.body is post
+    assert along.fraction == pytest.approx(0.5, abs=1e-3)
+    for start in ((0, 0.5), (0, 0.4)):
+        into = world.shape_cast(box, start, (0, -3))
+        assert (into.body, into.fraction, into.normal) == (ground, 0, (0, 1))
+    tilted = world.shape_cast(box, (0, 3), (0, 0), angle=math.pi / 4)
+    assert 3 * (1 - tilted.fraction) == pytest.approx(math.sqrt(0.5), abs=2e-3)
+
+
 @pytest.mark.parametrize("kind", [np.float32, np.float64, "strided", list])
 def test_a_batch_says_what_each_question_says_alone(kind: object) -> None:
     world = crowd(7, 60)
@@ -133,6 +190,10 @@ def test_a_batch_says_what_each_question_says_alone(kind: object) -> None:
             assert (hits.bodies[i], hits.shapes[i]) == (hit.body.slot, hit.shape.slot)
             assert tuple(np.asarray(hits.normals)[i]) == hit.normal
 
+    angles = [0.1 * i for i in range(50)]
+    casts = world.shape_casts(SHAPES[1], given_starts, given_ends, angle=angles)
+    ways = zip(starts.tolist(), ends.tolist(), np.float32(angles).tolist(), strict=True)
+    assert list(casts) == [world.shape_cast(SHAPES[1], a, b, angle=angle) for a, b, angle in ways]
     assert list(world.nearest_each(given_starts)) == [world.nearest(at) for at in starts.tolist()]
     assert list(world.bodies_at_each(given_starts)) == [world.bodies_at(at) for at in starts.tolist()]
     found = world.overlapping_each(SHAPES[1], given_starts, angle=0.3)
@@ -206,6 +267,9 @@ def test_what_a_question_is_about() -> None:
             lambda w: w.overlapping_each(evil.Circle(1), [(0, 0)] * 2, angle=[1, 2, 3]),
             "points and angles must be as many",
         ),
+        (lambda w: w.shape_cast(3, (0, 0), (1, 1)), "shape must be a shape"),
+        (lambda w: w.shape_cast(evil.Circle(1), (0, 0), (1, 1), angle=math.inf), "angle=inf"),
+        (lambda w: w.shape_casts(evil.Circle(1), (0, 0), [(1, 1)] * 2, angle=[1] * 3), "ways and angles"),
         (lambda w: w.overlapping_each(evil.Circle(1), (0, 0), angle="x"), "angle='x' must be a number"),
     ],
 )
@@ -312,3 +376,13 @@ def test_columns_outlive_their_table() -> None:
     gc.collect()
     assert (points == (2, 0)).all()
     assert not points.flags.writeable
+
+
+def test_the_index_lives_through_the_packing_of_corners() -> None:
+    world = evil.World()
+    boxes = [world.add(evil.Rectangle(1, 1), at=(2 * x, 0), kind="static") for x in range(400)]
+    assert world.ray_cast((798, 9), (798, -9)).body is boxes[-1]
+    for box in boxes[:-1]:  # most corners are dead now: the pool is packed, and the last box's lie elsewhere
+        box.destroy()
+    hit = world.ray_cast((798, 9), (798, -9))
+    assert (hit.body, hit.point) == (boxes[-1], (798, 0.5))

@@ -15,6 +15,7 @@ NB_MODULE(_core, module) {
     evil::bind::register_body(module);
     evil::bind::register_force(module);
     evil::bind::register_joint(module);
+    evil::bind::register_character(module);
     evil::bind::register_math(module);
     evil::bind::register_mat4(module);
     evil::bind::register_shapes(module);

@@ -12,6 +12,7 @@ void register_world(nb::module_& module);
 void register_body(nb::module_& module);
 void register_shape(nb::module_& module);
 void register_force(nb::module_& module);
+void register_character(nb::module_& module);
 void register_joint(nb::module_& module);
 void register_views(nb::module_& module);
 void register_math(nb::module_& module);

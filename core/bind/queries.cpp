@@ -1,6 +1,7 @@
 // Queries for Python, one at a time and in batches.
 #include "bind/hits.hpp"
 #include "bind/points.hpp"
+#include "collider/shape_casts.hpp"
 
 namespace evil::bind {
 
@@ -9,10 +10,11 @@ void register_hits(nb::module_& module);
 
 namespace {
 
-// Whom to ask about, as the face gives it: kinds as bits, and a tuple of slots.
+// Whom to ask about, as the face gives it: kinds as bits, the next one for sensors; categories; and a tuple of slots.
 struct Asked {
-    Asked(unsigned kinds, nb::handle ignored) : slots(nb::cast<std::vector<std::uint32_t>>(ignored)) {
-        filter = {kinds, slots};
+    Asked(unsigned kinds, std::uint32_t mask, nb::handle ignored)
+        : slots(nb::cast<std::vector<std::uint32_t>>(ignored)) {
+        filter = {kinds & 7u, (kinds & 8u) != 0, mask, slots};
     }
     Asked(const Asked&) = delete;
     Asked& operator=(const Asked&) = delete;
@@ -61,17 +63,18 @@ Hit to_hit(nb::handle owner, const World& w, const RayHit& hit) {
     return hit_of(owner, w, hit.body, hit.shape, hit.point, hit.normal, hit.fraction);
 }
 
-nb::object cast_ray(World& w, nb::handle owner, nb::handle start, nb::handle end, unsigned kinds, nb::handle ignored) {
+nb::object cast_ray(World& w, nb::handle owner, nb::handle start, nb::handle end, unsigned kinds, std::uint32_t mask,
+                    nb::handle ignored) {
     Vec2 s = to_place(start, "World.ray_cast", "start"), e = to_place(end, "World.ray_cast", "end");
-    Asked asked(kinds, ignored);
+    Asked asked(kinds, mask, ignored);
     std::optional<RayHit> hit = ray_cast(w.scene(), s, e, asked.filter);
     return hit ? nb::cast(to_hit(owner, w, *hit)) : nb::none();
 }
 
 nb::object cast_ray_all(World& w, nb::handle owner, nb::handle start, nb::handle end, unsigned kinds,
-                        nb::handle ignored) {
+                        std::uint32_t mask, nb::handle ignored) {
     Vec2 s = to_place(start, "World.ray_cast_all", "start"), e = to_place(end, "World.ray_cast_all", "end");
-    Asked asked(kinds, ignored);
+    Asked asked(kinds, mask, ignored);
     std::vector<RayHit> hits;
     ray_cast_all(w.scene(), s, e, asked.filter, hits);
     nb::list list;
@@ -79,10 +82,11 @@ nb::object cast_ray_all(World& w, nb::handle owner, nb::handle start, nb::handle
     return nb::tuple(list);
 }
 
-Hits* cast_rays(World& w, nb::handle owner, nb::handle starts, nb::handle ends, unsigned kinds, nb::handle ignored) {
+Hits* cast_rays(World& w, nb::handle owner, nb::handle starts, nb::handle ends, unsigned kinds, std::uint32_t mask,
+                nb::handle ignored) {
     Points s = to_places(starts, "World.ray_casts", "starts"), e = to_places(ends, "World.ray_casts", "ends");
     std::size_t n = rows_of(s.rows.size(), s.one, e.rows.size(), e.one, "World.ray_casts", "starts and ends");
-    Asked asked(kinds, ignored);
+    Asked asked(kinds, mask, ignored);
     Scene scene = w.scene();
     auto hits = std::make_unique<Hits>(nb::borrow(owner), n);
     for (std::size_t i = 0; i < n; ++i) {
@@ -95,19 +99,64 @@ Hits* cast_rays(World& w, nb::handle owner, nb::handle starts, nb::handle ends, 
     return hits.release();
 }
 
-nb::object find_nearest(World& w, nb::handle owner, nb::handle point, float within, unsigned kinds,
+nb::object cast_shape(World& w, nb::handle owner, const NewShape& spec, nb::handle start, nb::handle end, double angle,
+                      unsigned kinds, std::uint32_t mask, nb::handle ignored) {
+    Vec2 s = to_place(start, "World.shape_cast", "start"), e = to_place(end, "World.shape_cast", "end");
+    Asked asked(kinds, mask, ignored);
+    Probe probe(spec);
+    probe.put(s, angle);
+    std::optional<RayHit> hit = shape_cast(w.scene(), probe.shapes, e - s, asked.filter);
+    return hit ? nb::cast(to_hit(owner, w, *hit)) : nb::none();
+}
+
+nb::object cast_shape_all(World& w, nb::handle owner, const NewShape& spec, nb::handle start, nb::handle end,
+                          double angle, unsigned kinds, std::uint32_t mask, nb::handle ignored) {
+    Vec2 s = to_place(start, "World.shape_cast_all", "start"), e = to_place(end, "World.shape_cast_all", "end");
+    Asked asked(kinds, mask, ignored);
+    Probe probe(spec);
+    probe.put(s, angle);
+    std::vector<RayHit> hits;
+    shape_cast_all(w.scene(), probe.shapes, e - s, asked.filter, hits);
+    nb::list list;
+    for (const RayHit& hit : hits) list.append(to_hit(owner, w, hit));
+    return nb::tuple(list);
+}
+
+Hits* cast_shapes(World& w, nb::handle owner, const NewShape& spec, nb::handle starts, nb::handle ends,
+                  nb::handle angles, unsigned kinds, std::uint32_t mask, nb::handle ignored) {
+    const char* me = "World.shape_casts";
+    Points s = to_places(starts, me, "starts"), e = to_places(ends, me, "ends");
+    Numbers a = to_numbers(angles, me, "angle");
+    std::size_t n = rows_of(s.rows.size(), s.one, e.rows.size(), e.one, me, "starts and ends");
+    n = rows_of(n, s.one && e.one, a.rows.size(), a.one, me, "ways and angles");
+    Asked asked(kinds, mask, ignored);
+    Scene scene = w.scene();
+    Probe probe(spec);
+    auto hits = std::make_unique<Hits>(nb::borrow(owner), n);
+    for (std::size_t i = 0; i < n; ++i) {
+        probe.put(s.at(i), double(a.at(i)));
+        std::optional<RayHit> hit = shape_cast(scene, probe.shapes, e.at(i) - s.at(i), asked.filter);
+        if (hit)
+            hits->set(w, i, hit->body, hit->shape, hit->point, hit->normal, hit->fraction);
+        else
+            hits->points[i] = e.at(i), hits->values[i] = 1.0f;
+    }
+    return hits.release();
+}
+
+nb::object find_nearest(World& w, nb::handle owner, nb::handle point, float within, unsigned kinds, std::uint32_t mask,
                         nb::handle ignored) {
     Vec2 p = to_place(point, "World.nearest", "point");
-    Asked asked(kinds, ignored);
+    Asked asked(kinds, mask, ignored);
     std::optional<NearHit> near = nearest(w.scene(), p, within, asked.filter);
     if (!near) return nb::none();
     return nb::cast(NearestHit{hit_of(owner, w, near->body, near->shape, near->point, {}, near->distance)});
 }
 
 NearestHits* find_nearest_each(World& w, nb::handle owner, nb::handle points, float within, unsigned kinds,
-                               nb::handle ignored) {
+                               std::uint32_t mask, nb::handle ignored) {
     Points p = to_places(points, "World.nearest_each", "points");
-    Asked asked(kinds, ignored);
+    Asked asked(kinds, mask, ignored);
     Scene scene = w.scene();
     auto hits = std::make_unique<NearestHits>(nb::borrow(owner), p.rows.size());
     for (std::size_t i = 0; i < p.rows.size(); ++i) {
@@ -120,18 +169,18 @@ NearestHits* find_nearest_each(World& w, nb::handle owner, nb::handle points, fl
     return hits.release();
 }
 
-std::vector<std::uint32_t> find_at(World& w, nb::handle point, unsigned kinds, nb::handle ignored) {
+std::vector<std::uint32_t> find_at(World& w, nb::handle point, unsigned kinds, std::uint32_t mask, nb::handle ignored) {
     Vec2 p = to_vec2(point, "World.bodies_at", "point");
-    Asked asked(kinds, ignored);
+    Asked asked(kinds, mask, ignored);
     std::vector<std::uint32_t> found;
     bodies_at(w.scene(), p, asked.filter, found);
     return found;
 }
 
 std::vector<std::uint32_t> find_overlapping(World& w, const NewShape& spec, nb::handle at, double angle, unsigned kinds,
-                                            nb::handle ignored) {
+                                            std::uint32_t mask, nb::handle ignored) {
     Vec2 p = to_vec2(at, "World.overlapping", "at");
-    Asked asked(kinds, ignored);
+    Asked asked(kinds, mask, ignored);
     Probe probe(spec);
     probe.put(p, angle);
     std::vector<std::uint32_t> found;
@@ -147,9 +196,10 @@ void add_list(BodyLists& lists, const World& w, const std::vector<std::uint32_t>
     lists.starts.push_back(static_cast<std::uint32_t>(lists.bodies.size()));
 }
 
-BodyLists* find_at_each(World& w, nb::handle owner, nb::handle points, unsigned kinds, nb::handle ignored) {
+BodyLists* find_at_each(World& w, nb::handle owner, nb::handle points, unsigned kinds, std::uint32_t mask,
+                        nb::handle ignored) {
     Points p = to_points(points, "World.bodies_at_each", "points");
-    Asked asked(kinds, ignored);
+    Asked asked(kinds, mask, ignored);
     Scene scene = w.scene();
     auto lists = std::make_unique<BodyLists>(BodyLists{nb::borrow(owner), {}, {}});
     std::vector<std::uint32_t> found;
@@ -161,12 +211,12 @@ BodyLists* find_at_each(World& w, nb::handle owner, nb::handle points, unsigned 
 }
 
 BodyLists* find_overlapping_each(World& w, nb::handle owner, const NewShape& spec, nb::handle at, nb::handle angles,
-                                 unsigned kinds, nb::handle ignored) {
+                                 unsigned kinds, std::uint32_t mask, nb::handle ignored) {
     const char* me = "World.overlapping_each";
     Points p = to_points(at, me, "at");
     Numbers a = to_numbers(angles, me, "angle");
     std::size_t n = rows_of(p.rows.size(), p.one, a.rows.size(), a.one, me, "points and angles");
-    Asked asked(kinds, ignored);
+    Asked asked(kinds, mask, ignored);
     Scene scene = w.scene();
     auto lists = std::make_unique<BodyLists>(BodyLists{nb::borrow(owner), {}, {}});
     Probe probe(spec);
@@ -184,28 +234,42 @@ BodyLists* find_overlapping_each(World& w, nb::handle owner, const NewShape& spe
 void bind_queries(nb::module_& module, nb::class_<World>& c) {
     register_hits(module);
     c.def("ray_cast", cast_ray, nb::arg("owner"), nb::arg("start").none(), nb::arg("end").none(), nb::arg("kinds"),
-          nb::arg("ignored"),
-          nb::sig("def ray_cast(self, owner: object, start: object, end: object, kinds: int, ignored: tuple[int, ...]) "
+          nb::arg("mask"), nb::arg("ignored"),
+          nb::sig("def ray_cast(self, owner: object, start: object, end: object, kinds: int, mask: int, ignored: "
+                  "tuple[int, ...]) "
                   "-> RayHit | None"));
     c.def("ray_cast_all", cast_ray_all, nb::arg("owner"), nb::arg("start").none(), nb::arg("end").none(),
-          nb::arg("kinds"), nb::arg("ignored"),
-          nb::sig("def ray_cast_all(self, owner: object, start: object, end: object, kinds: int, ignored: tuple[int, "
+          nb::arg("kinds"), nb::arg("mask"), nb::arg("ignored"),
+          nb::sig("def ray_cast_all(self, owner: object, start: object, end: object, kinds: int, mask: int, ignored: "
+                  "tuple[int, "
                   "...]) -> tuple[RayHit, ...]"));
     c.def("ray_casts", cast_rays, nb::arg("owner"), nb::arg("starts").none(), nb::arg("ends").none(), nb::arg("kinds"),
-          nb::arg("ignored"));
-    c.def("nearest", find_nearest, nb::arg("owner"), nb::arg("point").none(), nb::arg("within"), nb::arg("kinds"),
-          nb::arg("ignored"),
-          nb::sig("def nearest(self, owner: object, point: object, within: float, kinds: int, ignored: tuple[int, "
-                  "...]) -> Nearest | None"));
+          nb::arg("mask"), nb::arg("ignored"));
+    c.def("shape_cast", cast_shape, nb::arg("owner"), nb::arg("shape"), nb::arg("start").none(), nb::arg("end").none(),
+          nb::arg("angle"), nb::arg("kinds"), nb::arg("mask"), nb::arg("ignored"),
+          nb::sig("def shape_cast(self, owner: object, shape: ShapeSpec, start: object, end: object, angle: float, "
+                  "kinds: int, mask: int, ignored: tuple[int, ...]) -> RayHit | None"));
+    c.def("shape_cast_all", cast_shape_all, nb::arg("owner"), nb::arg("shape"), nb::arg("start").none(),
+          nb::arg("end").none(), nb::arg("angle"), nb::arg("kinds"), nb::arg("mask"), nb::arg("ignored"),
+          nb::sig("def shape_cast_all(self, owner: object, shape: ShapeSpec, start: object, end: object, angle: float, "
+                  "kinds: int, mask: int, ignored: tuple[int, ...]) -> tuple[RayHit, ...]"));
+    c.def("shape_casts", cast_shapes, nb::arg("owner"), nb::arg("shape"), nb::arg("starts").none(),
+          nb::arg("ends").none(), nb::arg("angle").none(), nb::arg("kinds"), nb::arg("mask"), nb::arg("ignored"));
+    c.def(
+        "nearest", find_nearest, nb::arg("owner"), nb::arg("point").none(), nb::arg("within"), nb::arg("kinds"),
+        nb::arg("mask"), nb::arg("ignored"),
+        nb::sig(
+            "def nearest(self, owner: object, point: object, within: float, kinds: int, mask: int, ignored: tuple[int, "
+            "...]) -> Nearest | None"));
     c.def("nearest_each", find_nearest_each, nb::arg("owner"), nb::arg("points").none(), nb::arg("within"),
-          nb::arg("kinds"), nb::arg("ignored"));
-    c.def("bodies_at", find_at, nb::arg("point").none(), nb::arg("kinds"), nb::arg("ignored"));
-    c.def("bodies_at_each", find_at_each, nb::arg("owner"), nb::arg("points").none(), nb::arg("kinds"),
+          nb::arg("kinds"), nb::arg("mask"), nb::arg("ignored"));
+    c.def("bodies_at", find_at, nb::arg("point").none(), nb::arg("kinds"), nb::arg("mask"), nb::arg("ignored"));
+    c.def("bodies_at_each", find_at_each, nb::arg("owner"), nb::arg("points").none(), nb::arg("kinds"), nb::arg("mask"),
           nb::arg("ignored"));
     c.def("overlapping", find_overlapping, nb::arg("shape"), nb::arg("at").none(), nb::arg("angle"), nb::arg("kinds"),
-          nb::arg("ignored"));
+          nb::arg("mask"), nb::arg("ignored"));
     c.def("overlapping_each", find_overlapping_each, nb::arg("owner"), nb::arg("shape"), nb::arg("at").none(),
-          nb::arg("angle").none(), nb::arg("kinds"), nb::arg("ignored"));
+          nb::arg("angle").none(), nb::arg("kinds"), nb::arg("mask"), nb::arg("ignored"));
 }
 
 } // namespace evil::bind

@@ -1,17 +1,17 @@
 #include "collider/search.hpp"
-#include <tuple>
+#include "collider/walks.hpp"
 
 namespace evil {
 namespace {
 
 // ---- the index -----------------------------------------------------------------------------------------------------
 
-// The box is taken from rounded corners; queries are exact. It grows by more than the rounding.
-Bounds safe_bounds(const Shapes& shapes, const Piece& piece, const Pose& pose) {
-    Bounds b = bounds_of(shapes, piece, pose);
-    float size = std::abs(pose.p.x) + std::abs(pose.p.y) + std::abs(piece.centre.x) + std::abs(piece.centre.y);
-    float grow = 1e-6f * (size + piece.reach) + 1e-7f;
-    return {b.low - Vec2{grow, grow}, b.high + Vec2{grow, grow}};
+Target target_of(const Shapes& shapes, const Bodies& bodies, std::uint32_t p) {
+    const Piece& piece = shapes.pieces[p];
+    const Body& body = bodies.rows[piece.body];
+    bool alone = piece.next == kNone && shapes.rows[piece.shape].first_piece == p;
+    const Traits& traits = shapes.rows[piece.shape].traits;
+    return {piece, body.pose, body.kind, alone, traits.sensor, traits.category};
 }
 
 std::uint32_t tree_of(const Bodies& bodies, const Piece& piece) { return moves(bodies.rows[piece.body]) ? 1 : 0; }
@@ -25,7 +25,11 @@ void build_tree(Search& search, const Shapes& shapes, const Bodies& bodies, std:
     }
     Tree& tree = search.trees[which];
     build(tree, search.items);
-    for (std::uint32_t place = 0; place < tree.order.size(); ++place) search.places[tree.order[place]] = {which, place};
+    search.targets[which].clear();
+    for (std::uint32_t place = 0; place < tree.order.size(); ++place) {
+        search.places[tree.order[place]] = {which, place};
+        search.targets[which].push_back(target_of(shapes, bodies, tree.order[place]));
+    }
 }
 
 void build_both(Search& search, const Shapes& shapes, const Bodies& bodies) {
@@ -38,9 +42,14 @@ void follow_piece(Search& search, const Shapes& shapes, const Bodies& bodies, st
     Search::Place& at = search.places[p];
     Bounds bounds = safe_bounds(shapes, piece, bodies.rows[piece.body].pose);
     std::uint32_t which = tree_of(bodies, piece);
-    if (at.tree == which) return (many ? put_bounds : set_bounds)(search.trees[which], at.place, bounds);
-    if (at.tree != kNone) clear_place(search.trees[at.tree], at.place);
-    at = {which, append(search.trees[which], p, bounds)};
+    if (at.tree != which) {
+        if (at.tree != kNone) clear_place(search.trees[at.tree], at.place);
+        at = {which, append(search.trees[which], p, bounds)};
+        search.targets[which].emplace_back();
+    } else {
+        (many ? put_bounds : set_bounds)(search.trees[which], at.place, bounds);
+    }
+    search.targets[which][at.place] = target_of(shapes, bodies, p);
 }
 
 void follow_edits(Search& search, const Shapes& shapes, const Bodies& bodies) {
@@ -60,50 +69,15 @@ void follow_step(Search& search, const Shapes& shapes, const Bodies& bodies) {
     Tree& tree = search.trees[1];
     for (std::uint32_t place = 0; place < tree.order.size(); ++place) {
         std::uint32_t p = tree.order[place];
-        if (p == kNone) continue;
-        if (shapes.piece_slots.taken(p))
-            put_bounds(tree, place, safe_bounds(shapes, shapes.pieces[p], bodies.rows[shapes.pieces[p].body].pose));
+        if (p == kNone || !shapes.piece_slots.taken(p)) continue;
+        Target& target = search.targets[1][place];
+        target.pose = bodies.rows[target.piece.body].pose;
+        put_bounds(tree, place, safe_bounds(shapes, target.piece, target.pose));
     }
     refit(tree);
 }
 
 // ---- asking --------------------------------------------------------------------------------------------------------
-
-bool wanted(const Scene& scene, const Filter& filter, std::uint32_t p) {
-    if (p == kNone || !scene.shapes.piece_slots.taken(p)) return false;
-    std::uint32_t body = scene.shapes.pieces[p].body;
-    if (!(filter.kinds >> static_cast<unsigned>(scene.bodies.rows[body].kind) & 1u)) return false;
-    return std::ranges::find(filter.ignored, body) == filter.ignored.end();
-}
-
-// Order of creation, down to the pieces of a shape.
-auto order_of(const Scene& scene, std::uint32_t p) {
-    const Piece& piece = scene.shapes.pieces[p];
-    return std::tuple(scene.bodies.rows[piece.body].serial, scene.shapes.rows[piece.shape].serial, p);
-}
-
-bool created_before(const Scene& scene, std::uint32_t p, std::uint32_t q) {
-    return q == kNone || order_of(scene, p) < order_of(scene, q);
-}
-
-template <class Try> float call(void* context, std::uint32_t piece) { return (*static_cast<Try*>(context))(piece); }
-
-template <class Try> void along(const Scene& scene, Vec2 start, Vec2 end, Try& attempt) {
-    Sweep sweep{start.x, start.y, end.x - start.x, end.y - start.y, 0.0f, 0.0f};
-    for (const Tree& tree : scene.search.trees)
-        EVIL_PICK(scene.set, walk_along)(view_of(tree), sweep, attempt.limit(), call<Try>, &attempt);
-}
-
-template <class Try> void outward(const Scene& scene, Vec2 point, Try& attempt) {
-    for (const Tree& tree : scene.search.trees)
-        EVIL_PICK(scene.set, walk_outward)(view_of(tree), point.x, point.y, attempt.limit(), call<Try>, &attempt);
-}
-
-template <class Try> void inside(const Scene& scene, const Bounds& b, Try& attempt) {
-    float low[2] = {b.low.x, b.low.y}, high[2] = {b.high.x, b.high.y};
-    for (const Tree& tree : scene.search.trees)
-        EVIL_PICK(scene.set, walk_inside)(view_of(tree), low, high, call<Try>, &attempt);
-}
 
 struct Found {
     double fraction = 1.0;
@@ -125,73 +99,87 @@ void by_creation(const Bodies& bodies, std::vector<std::uint32_t>& found) {
 }
 
 // Does the ray start in another piece of the same shape? Then what it enters is a seam, not the shape.
-bool starts_within(const Scene& scene, const Piece& piece, const Pose& pose, Vec2 start) {
-    std::uint32_t p = scene.shapes.rows[piece.shape].first_piece;
-    if (scene.shapes.pieces[p].next == kNone || piece.count == 2) return false;
+bool starts_within(const Scene& scene, const Target& target, Vec2 start) {
+    if (target.alone || target.piece.count == 2) return false;
+    std::uint32_t p = scene.shapes.rows[target.piece.shape].first_piece;
     for (; p != kNone; p = scene.shapes.pieces[p].next)
-        if (contains(scene.shapes, scene.shapes.pieces[p], pose, start)) return true;
+        if (contains(scene.shapes, scene.shapes.pieces[p], target.pose, start)) return true;
     return false;
 }
 
+Sweep sweep_of(Vec2 start, Vec2 end) { return {start.x, start.y, end.x - start.x, end.y - start.y, 0.0f, 0.0f}; }
+
 struct FirstEntry { // of a ray
     const Scene& scene;
-    const Filter& filter;
     Vec2 start, end;
     Found best{};
 
     float limit() const { return static_cast<float>(best.fraction); }
-    float operator()(std::uint32_t p) {
-        if (!wanted(scene, filter, p)) return limit();
-        const Piece& piece = scene.shapes.pieces[p];
-        const Pose& pose = scene.bodies.rows[piece.body].pose;
-        std::optional<Entry> hit = enter(scene.shapes, piece, pose, start, end);
-        if (!hit || hit->fraction > best.fraction) return limit();
-        if (hit->fraction == best.fraction && !created_before(scene, p, best.piece)) return limit();
-        if (!starts_within(scene, piece, pose, start)) best = {hit->fraction, p, hit->normal};
-        return limit();
+    void operator()(std::uint32_t p, const Target& target) {
+        std::optional<Entry> hit = enter(scene.shapes, target.piece, target.pose, start, end);
+        if (!hit || hit->fraction > best.fraction) return;
+        if (hit->fraction == best.fraction && !created_before(scene, p, best.piece)) return;
+        if (!starts_within(scene, target, start)) best = {hit->fraction, p, hit->normal};
     }
 };
 
 struct EveryEntry {
     const Scene& scene;
-    const Filter& filter;
     Vec2 start, end;
     std::vector<Found> all{};
 
     static float limit() { return 1.0f; }
-    float operator()(std::uint32_t p) {
-        if (!wanted(scene, filter, p)) return limit();
-        const Piece& piece = scene.shapes.pieces[p];
-        const Pose& pose = scene.bodies.rows[piece.body].pose;
-        std::optional<Entry> hit = enter(scene.shapes, piece, pose, start, end);
-        if (hit && !starts_within(scene, piece, pose, start)) all.push_back({hit->fraction, p, hit->normal});
-        return limit();
+    void operator()(std::uint32_t p, const Target& target) {
+        std::optional<Entry> hit = enter(scene.shapes, target.piece, target.pose, start, end);
+        if (hit && !starts_within(scene, target, start)) all.push_back({hit->fraction, p, hit->normal});
     }
 };
 
 struct NearestPiece {
     const Scene& scene;
-    const Filter& filter;
     Vec2 point;
     double distance;
     std::uint32_t best = kNone;
     Vec2 at{};
 
     float limit() const { return static_cast<float>(distance * distance); }
-    float operator()(std::uint32_t p) {
-        if (!wanted(scene, filter, p)) return limit();
-        const Piece& piece = scene.shapes.pieces[p];
-        Near near = nearest_point(scene.shapes, piece, scene.bodies.rows[piece.body].pose, point);
+    void operator()(std::uint32_t p, const Target& target) {
+        Near near = nearest_point(scene.shapes, target.piece, target.pose, point);
         if (near.distance < distance || (near.distance == distance && created_before(scene, p, best)))
             distance = near.distance, best = p, at = near.point;
-        return limit();
+    }
+};
+
+struct Covering { // a point
+    const Scene& scene;
+    Vec2 point;
+    std::vector<std::uint32_t>& found;
+
+    static float limit() { return 1.0f; }
+    void operator()(std::uint32_t, const Target& target) {
+        if (contains(scene.shapes, target.piece, target.pose, point)) found.push_back(target.piece.body);
+    }
+};
+
+struct Overlapping { // a piece in world coordinates
+    const Scene& scene;
+    Placed mine;
+    std::vector<std::uint32_t>& found;
+
+    static float limit() { return 1.0f; }
+    void operator()(std::uint32_t, const Target& target) {
+        Axis none;
+        if (collide(mine, place(scene.shapes, target.piece, target.pose), 0.0f, none).count > 0)
+            found.push_back(target.piece.body);
     }
 };
 
 } // namespace
 
 void refresh(Search& search, const Shapes& shapes, const Bodies& bodies) {
+    if (search.packed != shapes.packed) search.remade = true;
     if (!search.remade && !search.moved && search.edited.empty()) return;
+    search.packed = shapes.packed;
     if (search.remade) {
         build_both(search, shapes, bodies);
     } else {
@@ -205,15 +193,15 @@ void refresh(Search& search, const Shapes& shapes, const Bodies& bodies) {
 }
 
 std::optional<RayHit> ray_cast(const Scene& scene, Vec2 start, Vec2 end, const Filter& filter) {
-    FirstEntry first{scene, filter, start, end};
-    along(scene, start, end, first);
+    FirstEntry first{scene, start, end};
+    along(scene, filter, sweep_of(start, end), first);
     if (first.best.piece == kNone) return {};
     return hit_at(scene, first.best, start, end);
 }
 
 void ray_cast_all(const Scene& scene, Vec2 start, Vec2 end, const Filter& filter, std::vector<RayHit>& hits) {
-    EveryEntry every{scene, filter, start, end};
-    along(scene, start, end, every);
+    EveryEntry every{scene, start, end};
+    along(scene, filter, sweep_of(start, end), every);
     std::ranges::sort(every.all, [&](const Found& a, const Found& b) {
         return a.fraction != b.fraction ? a.fraction < b.fraction : order_of(scene, a.piece) < order_of(scene, b.piece);
     });
@@ -225,8 +213,8 @@ void ray_cast_all(const Scene& scene, Vec2 start, Vec2 end, const Filter& filter
 }
 
 std::optional<NearHit> nearest(const Scene& scene, Vec2 point, float within, const Filter& filter) {
-    NearestPiece near{scene, filter, point, double(within)};
-    outward(scene, point, near);
+    NearestPiece near{scene, point, double(within)};
+    outward(scene, filter, point, near);
     if (near.best == kNone) return {};
     const Piece& piece = scene.shapes.pieces[near.best];
     return NearHit{piece.shape, piece.body, near.at, static_cast<float>(near.distance)};
@@ -234,13 +222,8 @@ std::optional<NearHit> nearest(const Scene& scene, Vec2 point, float within, con
 
 void bodies_at(const Scene& scene, Vec2 point, const Filter& filter, std::vector<std::uint32_t>& found) {
     found.clear();
-    auto attempt = [&](std::uint32_t p) {
-        if (!wanted(scene, filter, p)) return 1.0f;
-        const Piece& piece = scene.shapes.pieces[p];
-        if (contains(scene.shapes, piece, scene.bodies.rows[piece.body].pose, point)) found.push_back(piece.body);
-        return 1.0f;
-    };
-    inside(scene, {point, point}, attempt);
+    Covering covering{scene, point, found};
+    inside(scene, filter, {point, point}, covering);
     by_creation(scene.bodies, found);
 }
 
@@ -248,17 +231,8 @@ void bodies_overlapping(const Scene& scene, const Shapes& probe, const Filter& f
                         std::vector<std::uint32_t>& found) {
     found.clear();
     for (std::uint32_t q = 0; q < probe.piece_slots.size(); ++q) {
-        const Piece& mine = probe.pieces[q];
-        auto attempt = [&](std::uint32_t p) {
-            if (!wanted(scene, filter, p)) return 1.0f;
-            const Piece& piece = scene.shapes.pieces[p];
-            Axis none;
-            ManifoldSketch m = collide(place(probe, mine, Pose{}),
-                                       place(scene.shapes, piece, scene.bodies.rows[piece.body].pose), 0.0f, none);
-            if (m.count > 0) found.push_back(piece.body);
-            return 1.0f;
-        };
-        inside(scene, safe_bounds(probe, mine, Pose{}), attempt);
+        Overlapping overlapping{scene, place(probe, probe.pieces[q], Pose{}), found};
+        inside(scene, filter, safe_bounds(probe, probe.pieces[q], Pose{}), overlapping);
     }
     by_creation(scene.bodies, found);
 }

@@ -5,23 +5,33 @@
 
 namespace evil {
 
+// What a query needs of a piece, in the order of the tree, so that neighbours lie side by side in memory too.
+struct Target {
+    Piece piece;
+    Pose pose;
+    BodyKind kind;
+    bool alone; // the only piece of its shape
+    bool sensor;
+    std::uint32_t category;
+};
+
 // Where the pieces are, for queries alone: two trees, brought up to date when something is asked. What never asks, pays
 // nothing.
-struct Search {    // Scratch
-    Tree trees[2]; // of static bodies, of others
+struct Search {                     // Scratch
+    Tree trees[2];                  // of static bodies, of others
+    std::vector<Target> targets[2]; // by place in the tree
     struct Place {
         std::uint32_t tree = kNone, place = 0;
     };
     std::vector<Place> places; // by piece
     std::vector<TreeItem> items;
 
+    std::uint64_t packed = 0; // Shapes::packed of the targets' pieces
+
     // What happened since:
     bool remade = true;                // more than can be told one by one
     bool moved = false;                // a step: all that moves
     std::vector<std::uint32_t> edited; // bodies that were added, changed, moved by hand or destroyed
-
-    // Of the query at hand
-    std::vector<std::uint32_t> pieces;
 };
 
 inline void note_edit(Search& search, std::uint32_t body) {
@@ -33,6 +43,8 @@ inline void note_edit(Search& search, std::uint32_t body) {
 
 struct Filter {                             // whom a query is about
     unsigned kinds = 7;                     // bit i: bodies of BodyKind i
+    bool sensors = false;                   // sensors too
+    std::uint32_t mask = 0xffffffffu;       // shapes with a category in it
     std::span<const std::uint32_t> ignored; // bodies, by slot
 };
 

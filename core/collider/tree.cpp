@@ -142,7 +142,7 @@ void refit(Tree& tree) {
 }
 
 TreeView view_of(const Tree& tree) {
-    TreeView view{{}, tree.depth, tree.order.data()};
+    TreeView view{{}, tree.depth};
     for (int level = 0; level < tree.depth; ++level) view.levels[level] = tree.levels[level].data();
     return view;
 }

@@ -43,22 +43,26 @@ template <class Look>
 EVIL_INLINE void walk(const TreeView& tree, float& limit, Visit visit, void* context, const Look& look) {
     if (tree.depth == 0) return;
     Stack stack;
-    stack.rows[stack.count++] = {0.0f, 0, tree.depth - 1};
-    while (stack.count > 0) {
-        Waiting at = stack.rows[--stack.count];
-        if (at.near > limit * kCare) continue;
+    Waiting at{0.0f, 0, tree.depth - 1};
+    for (;;) {
         float near[kLanes];
         int lanes[kLanes];
         int count = by_distance(look(tree.levels[at.level][at.node], near), near, lanes);
-        if (at.level > 0) {
-            for (int i = 0; i < count; ++i)
-                stack.rows[stack.count++] = {near[lanes[i]], 8 * at.node + static_cast<std::uint32_t>(lanes[i]),
+        std::uint32_t first = 8 * at.node;
+        if (at.level > 0 && count > 0) { // straight on into the nearest, the others wait
+            for (int i = 0; i + 1 < count; ++i)
+                stack.rows[stack.count++] = {near[lanes[i]], first + static_cast<std::uint32_t>(lanes[i]),
                                              at.level - 1};
+            at = {near[lanes[count - 1]], first + static_cast<std::uint32_t>(lanes[count - 1]), at.level - 1};
             continue;
         }
         while (count-- > 0)
             if (near[lanes[count]] <= limit * kCare)
-                limit = visit(context, tree.order[8 * at.node + static_cast<std::uint32_t>(lanes[count])]);
+                limit = visit(context, first + static_cast<std::uint32_t>(lanes[count]));
+        do {
+            if (stack.count == 0) return;
+            at = stack.rows[--stack.count];
+        } while (at.near > limit * kCare);
     }
 }
 

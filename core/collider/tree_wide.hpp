@@ -1,5 +1,5 @@
 #pragma once
-// Walks through a tree: eight boxes at a time. Each calls back for every piece whose box it cannot rule out; which pieces
+// Walks through a tree: eight boxes at a time. Each calls back for every place whose box it cannot rule out; which places
 // those are, and in which order, is the same with every instruction set.
 #include "math/cpu.hpp"
 #include <cstdint>
@@ -15,7 +15,6 @@ struct alignas(32) Boxes { // eight boxes side by side; one that holds nothing i
 struct TreeView { // levels[0]: eight pieces to a node, and so on up to the root; see tree.hpp
     const Boxes* levels[kMostTreeLevels];
     int depth;
-    const std::uint32_t* order;
 };
 
 // A segment, or a box moved along one, which is the same for boxes that have grown by its half sides.
@@ -23,7 +22,7 @@ struct Sweep {
     float x, y, dx, dy, half_x, half_y;
 };
 
-using Visit = float (*)(void* context, std::uint32_t piece); // returns how far, from now on, is of interest
+using Visit = float (*)(void* context, std::uint32_t place); // returns how far, from now on, is of interest
 
 EVIL_WIDE(
     // Pieces that the sweep meets from 0 to `limit` of its way, the nearer first as a rule.

@@ -175,6 +175,7 @@ void bake(Shapes& shapes, std::uint32_t shape, Vec2 scale) {
 }
 
 void pack(Shapes& shapes) {
+    ++shapes.packed;
     std::vector<Vec2> points, normals;
     points.reserve(shapes.live_points);
     normals.reserve(shapes.live_points);

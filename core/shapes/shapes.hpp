@@ -72,6 +72,7 @@ struct Shapes { // State: rows by slot
     std::uint64_t material_changes = 0;    // of shapes that are there: contacts mix materials anew when it moves
     std::vector<Vec2> points, normals;     // the pool: ranges of live pieces, and of dead ones until pack()
     std::uint32_t live_points = 0;
+    std::uint64_t packed = 0; // how often the pool was packed: who keeps a copy of a piece must look again
     std::uint64_t next_serial = 0;
 };
 

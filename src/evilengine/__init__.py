@@ -32,6 +32,7 @@ from evilengine.values.vec2 import Vec2
 from evilengine.values.version import VERSION
 from evilengine.world import joints
 from evilengine.world.body import Body, Shape
+from evilengine.world.character import Character
 from evilengine.world.contacts import Contact
 from evilengine.world.forces import ConstantForce, Drag, Force, Gravity, Pull, Spring
 from evilengine.world.media import Medium
@@ -54,6 +55,7 @@ __all__ = [
     "Body",
     "Capsule",
     "Chain",
+    "Character",
     "Circle",
     "ConstantForce",
     "Contact",

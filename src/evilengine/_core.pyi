@@ -297,23 +297,29 @@ class World:
     @property
     def matrices(self) -> View: ...
 
-    def ray_cast(self, owner: object, start: object, end: object, kinds: int, ignored: tuple[int, ...]) -> RayHit | None: ...
+    def ray_cast(self, owner: object, start: object, end: object, kinds: int, mask: int, ignored: tuple[int, ...]) -> RayHit | None: ...
 
-    def ray_cast_all(self, owner: object, start: object, end: object, kinds: int, ignored: tuple[int, ...]) -> tuple[RayHit, ...]: ...
+    def ray_cast_all(self, owner: object, start: object, end: object, kinds: int, mask: int, ignored: tuple[int, ...]) -> tuple[RayHit, ...]: ...
 
-    def ray_casts(self, owner: object, starts: object | None, ends: object | None, kinds: int, ignored: object) -> RayHits: ...
+    def ray_casts(self, owner: object, starts: object | None, ends: object | None, kinds: int, mask: int, ignored: object) -> RayHits: ...
 
-    def nearest(self, owner: object, point: object, within: float, kinds: int, ignored: tuple[int, ...]) -> Nearest | None: ...
+    def shape_cast(self, owner: object, shape: ShapeSpec, start: object, end: object, angle: float, kinds: int, mask: int, ignored: tuple[int, ...]) -> RayHit | None: ...
 
-    def nearest_each(self, owner: object, points: object | None, within: float, kinds: int, ignored: object) -> Nearests: ...
+    def shape_cast_all(self, owner: object, shape: ShapeSpec, start: object, end: object, angle: float, kinds: int, mask: int, ignored: tuple[int, ...]) -> tuple[RayHit, ...]: ...
 
-    def bodies_at(self, point: object | None, kinds: int, ignored: object) -> list[int]: ...
+    def shape_casts(self, owner: object, shape: ShapeSpec, starts: object | None, ends: object | None, angle: object | None, kinds: int, mask: int, ignored: object) -> RayHits: ...
 
-    def bodies_at_each(self, owner: object, points: object | None, kinds: int, ignored: object) -> BodyLists: ...
+    def nearest(self, owner: object, point: object, within: float, kinds: int, mask: int, ignored: tuple[int, ...]) -> Nearest | None: ...
 
-    def overlapping(self, shape: ShapeSpec, at: object | None, angle: float, kinds: int, ignored: object) -> list[int]: ...
+    def nearest_each(self, owner: object, points: object | None, within: float, kinds: int, mask: int, ignored: object) -> Nearests: ...
 
-    def overlapping_each(self, owner: object, shape: ShapeSpec, at: object | None, angle: object | None, kinds: int, ignored: object) -> BodyLists: ...
+    def bodies_at(self, point: object | None, kinds: int, mask: int, ignored: object) -> list[int]: ...
+
+    def bodies_at_each(self, owner: object, points: object | None, kinds: int, mask: int, ignored: object) -> BodyLists: ...
+
+    def overlapping(self, shape: ShapeSpec, at: object | None, angle: float, kinds: int, mask: int, ignored: object) -> list[int]: ...
+
+    def overlapping_each(self, owner: object, shape: ShapeSpec, at: object | None, angle: object | None, kinds: int, mask: int, ignored: object) -> BodyLists: ...
 
     def snapshot(self) -> bytes: ...
 
@@ -1417,6 +1423,190 @@ def joint_count(world: World) -> int: ...
 def joint_slots_of(world: World, body: int) -> list[int]: ...
 
 def broken_joints(world: World) -> list[tuple[Any, ...]]: ...
+
+class Character:
+    """A handle of a character: its body's slot and generation."""
+
+    def __init__(self, arg0: World, arg1: int, arg2: int, /) -> None: ...
+
+    @property
+    def speed(self) -> float:
+        """Metres a second that it walks."""
+
+    @speed.setter
+    def speed(self, value: float, /) -> None: ...
+
+    @property
+    def acceleration(self) -> float:
+        """m/s2 on the ground, until it walks as fast as it can."""
+
+    @acceleration.setter
+    def acceleration(self, value: float, /) -> None: ...
+
+    @property
+    def deceleration(self) -> float:
+        """m/s2 on the ground, when it stops or turns."""
+
+    @deceleration.setter
+    def deceleration(self, value: float, /) -> None: ...
+
+    @property
+    def air_acceleration(self) -> float:
+        """m/s2 in the air, towards where it wants to go."""
+
+    @air_acceleration.setter
+    def air_acceleration(self, value: float, /) -> None: ...
+
+    @property
+    def air_deceleration(self) -> float:
+        """m/s2 in the air, when it wants nothing."""
+
+    @air_deceleration.setter
+    def air_deceleration(self, value: float, /) -> None: ...
+
+    @property
+    def jump_height(self) -> float:
+        """Metres that a jump goes up when it is held; 0: it cannot jump."""
+
+    @jump_height.setter
+    def jump_height(self, value: float, /) -> None: ...
+
+    @property
+    def jump_cut(self) -> float:
+        """Share of the upward speed that is left when a jump is let go early."""
+
+    @jump_cut.setter
+    def jump_cut(self, value: float, /) -> None: ...
+
+    @property
+    def coyote_time(self) -> float:
+        """Seconds after it walked off an edge in which it still can jump."""
+
+    @coyote_time.setter
+    def coyote_time(self, value: float, /) -> None: ...
+
+    @property
+    def jump_buffer(self) -> float:
+        """Seconds before it lands in which a jump is remembered."""
+
+    @jump_buffer.setter
+    def jump_buffer(self, value: float, /) -> None: ...
+
+    @property
+    def gravity_scale(self) -> float:
+        """Times the world's gravity."""
+
+    @gravity_scale.setter
+    def gravity_scale(self, value: float, /) -> None: ...
+
+    @property
+    def fall_speed(self) -> float:
+        """Metres a second that it falls at most."""
+
+    @fall_speed.setter
+    def fall_speed(self, value: float, /) -> None: ...
+
+    @property
+    def max_slope(self) -> float:
+        """Radians: the steepest slope that it walks on."""
+
+    @max_slope.setter
+    def max_slope(self, value: float, /) -> None: ...
+
+    @property
+    def step_height(self) -> float:
+        """Metres: how high a step it walks onto, and down from."""
+
+    @step_height.setter
+    def step_height(self, value: float, /) -> None: ...
+
+    @property
+    def climb_speed(self) -> float:
+        """Metres a second on ladders."""
+
+    @climb_speed.setter
+    def climb_speed(self, value: float, /) -> None: ...
+
+    @property
+    def push_force(self) -> float:
+        """Newtons at most on what stands in its way."""
+
+    @push_force.setter
+    def push_force(self, value: float, /) -> None: ...
+
+    @property
+    def mass(self) -> float:
+        """Kilograms, where it meets what is not fixed."""
+
+    @mass.setter
+    def mass(self, value: float, /) -> None: ...
+
+    @property
+    def air_jumps(self) -> int:
+        """How often it can jump again in the air."""
+
+    @air_jumps.setter
+    def air_jumps(self, value: int, /) -> None: ...
+
+    def _move(self, axis: object | None) -> None: ...
+
+    def _climb(self, axis: object | None) -> None: ...
+
+    def _jump(self) -> None: ...
+
+    def _let_go(self) -> None: ...
+
+    def _drop(self) -> None: ...
+
+    @property
+    def _wish(self) -> tuple[Any, ...]: ...
+
+    def _add_ladder(self, arg0: float, arg1: float, arg2: float, arg3: float, /) -> None: ...
+
+    def _clear_ladders(self) -> None: ...
+
+    @property
+    def _ladders(self) -> tuple[Any, ...]: ...
+
+    @property
+    def alive(self) -> bool:
+        """False once its body was destroyed."""
+
+    @property
+    def grounded(self) -> bool:
+        """Does it stand on something?"""
+
+    @property
+    def climbing(self) -> bool:
+        """Does it hold on to a ladder?"""
+
+    @property
+    def crushed(self) -> bool:
+        """Is it pressed into something that does not give way?"""
+
+    @property
+    def _ground(self) -> int: ...
+
+    @property
+    def ground_normal(self) -> evilengine.values.vec2.Vec2:
+        """Direction of length 1 out of what it stands on; (0, 0) in the air."""
+
+    @property
+    def velocity(self) -> evilengine.values.vec2.Vec2:
+        """
+        Metres a second in the world. Set it to throw the character: what leads off the ground lifts it.
+        """
+
+    @velocity.setter
+    def velocity(self, value: evilengine.values.vec2.Point, /) -> None: ...
+
+    @property
+    def _told(self) -> tuple[Any, ...]: ...
+
+def add_character(arg0: World, arg1: int, /) -> None: ...
+
+def characters(arg: World, /) -> list[int]:
+    """The bodies of all characters, in the order in which they were made."""
 
 def sincos(angle: float) -> tuple[float, float]:
     """

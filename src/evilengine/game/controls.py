@@ -7,8 +7,44 @@ from collections.abc import Iterable
 from evilengine.interaction import Grabs, Interaction, axis
 from evilengine.values.callbacks import Callbacks
 from evilengine.values.checks import known_keywords
+from evilengine.values.errors import ArgumentTypeError
+from evilengine.values.events import key_name
 from evilengine.values.inputs import Inputs, Keys, Pointer, Tilt, Touch
+from evilengine.world.character import Character
 from evilengine.world.world import World
+
+Words = str | Iterable[str]
+
+
+class Driver:
+    """Who is steered, and by which keys."""
+
+    def __init__(self, character: Character, left: Words, right: Words, up: Words, down: Words, jump: Words) -> None:
+        self._character = character
+        self._left, self._right, self._up, self._down = left, right, up, down
+        names = (jump,) if isinstance(jump, str) else tuple(jump)
+        self._jump = frozenset(key_name(name, "Game.drive", "jump") for name in names)
+        axis(Inputs(), left, right), axis(Inputs(), down, up)  # refuses names that are none
+
+    def drive(self, inputs: Inputs) -> None:
+        """Tell the character what the player wants in this step."""
+        hero = self._character
+        if not hero.alive:
+            return
+        climb = axis(inputs, self._down, self._up)
+        hero.move(axis(inputs, self._left, self._right))
+        hero.climb(climb)
+        if self._jump.intersection(inputs.pressed):
+            hero.drop() if climb < 0 else hero.jump()
+        elif not any(inputs.keys[name] for name in self._jump):
+            hero.let_go()
+
+    def stop(self) -> None:
+        """Let it stand."""
+        if self._character.alive:
+            self._character.move(0)
+            self._character.climb(0)
+            self._character.let_go()
 
 
 class Controls:
@@ -19,6 +55,7 @@ class Controls:
         self._interaction = Interaction()
         self._grabs = Grabs()
         self._inputs = Inputs()
+        self._driver: Driver | None = None
         self.on_key_press: Callbacks[[str]] = Callbacks("game.on_key_press", "key")
         self.on_key_release: Callbacks[[str]] = Callbacks("game.on_key_release", "key")
         self.on_pointer: Callbacks[[Pointer]] = Callbacks("game.on_pointer", "pointer")
@@ -27,6 +64,8 @@ class Controls:
         self.on_shake: Callbacks[[]] = Callbacks("game.on_shake")
 
     def _tell_inputs(self, inputs: Inputs, world: World) -> None:
+        if self._driver is not None:
+            self._driver.drive(inputs)
         for key in inputs.pressed:
             self.on_key_press.run(key)
         for key in inputs.released:
@@ -43,6 +82,33 @@ class Controls:
             self.on_tilt.run(inputs.tilt)
         if inputs.tilt.shaken:
             self.on_shake.run()
+
+    @known_keywords
+    def drive(
+        self,
+        character: Character | None,
+        *,
+        left: Words = ("left", "a", "stick_left"),
+        right: Words = ("right", "d", "stick_right"),
+        up: Words = ("up", "w", "stick_up"),
+        down: Words = ("down", "s", "stick_down"),
+        jump: Words = ("space", "pad_a"),
+    ) -> None:
+        """Let the player's keys steer `character` from now on, and whoever was steered before stand; None: nobody.
+
+        `left` and `right` walk, `up` and `down` climb ladders, `jump` jumps, as high as it is held; `down` and `jump`
+        together drop through a platform that is solid from above.
+
+        >>> game = evil.Game(headless=True)
+        >>> hero = game.add_character(at=(0, 1), colour="orange")
+        >>> game.drive(hero, jump=("space", "z"))
+        """
+        if character is not None and not isinstance(character, Character):
+            raise ArgumentTypeError(f"Game.drive: character={character!r} must be a Character, or None for nobody")
+        driver = None if character is None else Driver(character, left, right, up, down, jump)
+        if self._driver is not None:
+            self._driver.stop()
+        self._driver = driver
 
     @property
     def inputs(self) -> Inputs:

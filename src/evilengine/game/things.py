@@ -13,6 +13,7 @@ from evilengine.scene.drawing import DEEPEST_LAYER
 from evilengine.values.checks import did_you_mean, known_keywords, number
 from evilengine.values.colour import ColourLike
 from evilengine.values.errors import ArgumentTypeError, AssetError
+from evilengine.world.character import Character
 from evilengine.world.shapes import Rectangle
 from evilengine.world.world import World
 
@@ -55,6 +56,23 @@ class Things:
             self.world._take_back(body)
             raise
         return body
+
+    def add_character(self, shape: Any = None, **options: Any) -> Character:
+        """Add a character that is seen: everything that `world.add_character` takes, and the looks of `add`.
+
+        >>> game = evil.Game(headless=True)
+        >>> hero = game.add_character(at=(0, 1), jump_height=3, colour="orange")
+        >>> hero.body.drawings[0].colour.hex
+        '#ffa500'
+        """
+        looks = {word: options.pop(word) for word in LOOKS if word in options}
+        character = self.world.add_character(shape, **options)
+        try:
+            cast(DrawnBody, character.body).draw(**looks)
+        except BaseException:
+            self.world._take_back(character.body)
+            raise
+        return character
 
     def draw(self, shape: Any, **options: Any) -> Drawing:
         """Draw a shape that takes no part in the physics."""

@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Container
 from typing import TYPE_CHECKING, Any
 
+from evilengine.world.character import EVENTS as CHARACTERS
+from evilengine.world.character import Character
+
 if TYPE_CHECKING:
     from evilengine.world.world import World
 
@@ -36,7 +39,10 @@ def state_of(world: World, name_of: Named) -> dict[str, Any]:
     }
 
 
-EVENTS = ("on_collide", "on_separate", "on_hit", "on_enter", "on_leave", "on_sleep", "on_wake", "on_touch", "on_update")
+EVENTS = (
+    *("on_collide", "on_separate", "on_hit", "on_enter", "on_leave", "on_sleep", "on_wake", "on_touch", "on_update"),
+    *CHARACTERS,
+)
 
 
 def read(world: World, state: dict[str, Any], find: Found, bodies: Container[int]) -> Callable[[], None]:
@@ -58,7 +64,9 @@ def read(world: World, state: dict[str, Any], find: Found, bodies: Container[int
                 callbacks._functions.clear()
         world._updated = [body for body in world._updated if body.alive]
         for slot, event, found in functions:
-            getattr(world._body(slot), event)._functions.extend(found)
+            body = world._body(slot)
+            owner = Character(body) if event in CHARACTERS else body
+            getattr(owner, event)._functions.extend(found)
         order = {slot: place for place, slot in enumerate(updated)}
         world._updated.sort(key=lambda body: order.get(body.slot, len(order)))
         world._motions = {slot: (world._body(slot), motion) for slot, motion in motions}

@@ -9,6 +9,7 @@ from evilengine import _core
 from evilengine.values.checks import known_keywords, number, one_of
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
 from evilengine.values.vec2 import Point
+from evilengine.world.arguments import flag
 from evilengine.world.body import KINDS, Body
 from evilengine.world.shapes import ShapeDefinition, to_shape
 
@@ -23,6 +24,9 @@ Points: TypeAlias = object
 points; or one point, which stands for all."""
 
 EVERY_KIND = (1 << len(KINDS)) - 1
+SENSORS = 1 << len(KINDS)
+ALL = 0xFFFFFFFF
+"""Every category."""
 FARTHEST = 1e8
 """Metres: from edge to edge of the world and more."""
 
@@ -30,8 +34,8 @@ FARTHEST = 1e8
 class Queries:
     """What can be asked of a world. Nothing here changes it; asked inside a callback, the answer is of that moment.
 
-    Every question takes `kind`, one of "static", "kinematic" and "dynamic" or several of them, and `ignore`, a body or
-    several that the question is not about.
+    Every question takes `kind`, one of "static", "kinematic" and "dynamic" or several of them; `mask`, the bits of the
+    categories that it is about; `ignore`, a body or several that it is not about; `sensors=True` to find sensors too.
     """
 
     _core: _core.World
@@ -50,7 +54,9 @@ class Queries:
         end: Point,
         *,
         kind: str | Iterable[str] | None = None,
+        mask: int = ALL,
         ignore: Body | Iterable[Body] | None = None,
+        sensors: bool = False,
     ) -> RayHit | None:
         """First shape that the segment from `start` to `end` enters (world coordinates, metres), or None.
 
@@ -64,9 +70,9 @@ class Queries:
         >>> world.ray_cast((0, 0), (10, 0), ignore=wall) is None
         True
         """
-        if kind is None and ignore is None:
-            return self._core.ray_cast(self, start, end, EVERY_KIND, ())
-        return self._core.ray_cast(self, start, end, *self._whom(kind, ignore, "World.ray_cast"))
+        if kind is None and ignore is None and mask == ALL and not sensors:
+            return self._core.ray_cast(self, start, end, EVERY_KIND, ALL, ())
+        return self._core.ray_cast(self, start, end, *self._whom(kind, mask, ignore, sensors, "World.ray_cast"))
 
     @known_keywords
     def ray_cast_all(
@@ -75,7 +81,9 @@ class Queries:
         end: Point,
         *,
         kind: str | Iterable[str] | None = None,
+        mask: int = ALL,
         ignore: Body | Iterable[Body] | None = None,
+        sensors: bool = False,
     ) -> tuple[RayHit, ...]:
         """Every shape that the segment from `start` to `end` enters, each once, from start to end.
 
@@ -83,7 +91,61 @@ class Queries:
         >>> [hit.body is box for hit, box in zip(world.ray_cast_all((0, 0), (9, 0)), reversed(boxes))]
         [True, True]
         """
-        return self._core.ray_cast_all(self, start, end, *self._whom(kind, ignore, "World.ray_cast_all"))
+        return self._core.ray_cast_all(self, start, end, *self._whom(kind, mask, ignore, sensors, "World.ray_cast_all"))
+
+    @known_keywords
+    def shape_cast(
+        self,
+        shape: ShapeDefinition,
+        start: Point,
+        end: Point,
+        *,
+        angle: float = 0.0,
+        kind: str | Iterable[str] | None = None,
+        mask: int = ALL,
+        ignore: Body | Iterable[Body] | None = None,
+        sensors: bool = False,
+    ) -> RayHit | None:
+        """First shape that `shape`, turned by `angle`, touches when it moves straight from `start` to `end`, or None.
+
+        `point` is where the two touch, `normal` points out of what was met. What it touches or overlaps from the start
+        is met at once, with fraction 0, if the way leads into it; if it leads along it or out of it, not at all.
+
+        >>> world = evil.World(); wall = world.add(evil.Rectangle(1, 4), at=(5, 0), kind="static")
+        >>> hit = world.shape_cast(evil.Circle(0.5), (0, 0), (8, 0))
+        >>> hit.body is wall, round(hit.fraction, 3), round(hit.point.x, 2)
+        (True, 0.5, 4.5)
+        """
+        me = "World.shape_cast"
+        spec = to_shape(shape, me)._spec
+        return self._core.shape_cast(
+            self, spec, start, end, number(angle, me, "angle"), *self._whom(kind, mask, ignore, sensors, me)
+        )
+
+    @known_keywords
+    def shape_cast_all(
+        self,
+        shape: ShapeDefinition,
+        start: Point,
+        end: Point,
+        *,
+        angle: float = 0.0,
+        kind: str | Iterable[str] | None = None,
+        mask: int = ALL,
+        ignore: Body | Iterable[Body] | None = None,
+        sensors: bool = False,
+    ) -> tuple[RayHit, ...]:
+        """Every shape that `shape` would touch on its way, each once, from start to end.
+
+        >>> world = evil.World(); boxes = [world.add(evil.Rectangle(1, 1), at=(x, 0)) for x in (6, 3)]
+        >>> [hit.body is box for hit, box in zip(world.shape_cast_all(evil.Circle(1), (0, 0), (9, 0)), boxes[::-1])]
+        [True, True]
+        """
+        me = "World.shape_cast_all"
+        spec = to_shape(shape, me)._spec
+        return self._core.shape_cast_all(
+            self, spec, start, end, number(angle, me, "angle"), *self._whom(kind, mask, ignore, sensors, me)
+        )
 
     @known_keywords
     def bodies_at(
@@ -91,7 +153,9 @@ class Queries:
         point: Point,
         *,
         kind: str | Iterable[str] | None = None,
+        mask: int = ALL,
         ignore: Body | Iterable[Body] | None = None,
+        sensors: bool = False,
     ) -> tuple[Body, ...]:
         """Bodies with a shape over the point, in creation order.
 
@@ -99,7 +163,7 @@ class Queries:
         >>> world.bodies_at((0.5, 0.5)) == (box,), world.bodies_at((5, 5))
         (True, ())
         """
-        slots = self._core.bodies_at(point, *self._whom(kind, ignore, "World.bodies_at"))
+        slots = self._core.bodies_at(point, *self._whom(kind, mask, ignore, sensors, "World.bodies_at"))
         return tuple(self._body(slot) for slot in slots)
 
     @known_keywords
@@ -110,7 +174,9 @@ class Queries:
         at: Point = (0.0, 0.0),
         angle: float = 0.0,
         kind: str | Iterable[str] | None = None,
+        mask: int = ALL,
         ignore: Body | Iterable[Body] | None = None,
+        sensors: bool = False,
     ) -> tuple[Body, ...]:
         """Bodies that `shape`, placed `at` and turned by `angle`, would overlap, in creation order.
 
@@ -120,7 +186,9 @@ class Queries:
         """
         me = "World.overlapping"
         spec = to_shape(shape, me)._spec
-        slots = self._core.overlapping(spec, at, number(angle, me, "angle"), *self._whom(kind, ignore, me))
+        slots = self._core.overlapping(
+            spec, at, number(angle, me, "angle"), *self._whom(kind, mask, ignore, sensors, me)
+        )
         return tuple(self._body(slot) for slot in slots)
 
     @known_keywords
@@ -130,7 +198,9 @@ class Queries:
         *,
         within: float = FARTHEST,
         kind: str | Iterable[str] | None = None,
+        mask: int = ALL,
         ignore: Body | Iterable[Body] | None = None,
+        sensors: bool = False,
     ) -> Nearest | None:
         """The shape nearest to `point`, and where: or None when none is `within` so many metres.
 
@@ -141,7 +211,7 @@ class Queries:
         """
         me = "World.nearest"
         reach = number(within, me, "within", least=0.0, most=FARTHEST)
-        return self._core.nearest(self, point, reach, *self._whom(kind, ignore, me))
+        return self._core.nearest(self, point, reach, *self._whom(kind, mask, ignore, sensors, me))
 
     # -- many at once --
 
@@ -152,7 +222,9 @@ class Queries:
         ends: Points,
         *,
         kind: str | Iterable[str] | None = None,
+        mask: int = ALL,
         ignore: Body | Iterable[Body] | None = None,
+        sensors: bool = False,
     ) -> RayHits:
         """Many `ray_cast`s in one call: columns with a row for each ray, made without an object for each.
 
@@ -165,7 +237,30 @@ class Queries:
         >>> hits.bodies.tolist() == [wall.slot, -1], hits.fractions.tolist(), hits[1]
         (True, [0.44999998807907104, 1.0], None)
         """
-        return self._core.ray_casts(self, starts, ends, *self._whom(kind, ignore, "World.ray_casts"))
+        return self._core.ray_casts(self, starts, ends, *self._whom(kind, mask, ignore, sensors, "World.ray_casts"))
+
+    @known_keywords
+    def shape_casts(
+        self,
+        shape: ShapeDefinition,
+        starts: Points,
+        ends: Points,
+        *,
+        angle: object = 0.0,
+        kind: str | Iterable[str] | None = None,
+        mask: int = ALL,
+        ignore: Body | Iterable[Body] | None = None,
+        sensors: bool = False,
+    ) -> RayHits:
+        """Many `shape_cast`s with one shape in one call; `angle` is a number, or one for each. Columns as `ray_casts`.
+
+        >>> world = evil.World(); wall = world.add(evil.Rectangle(1, 4), at=(5, 0), kind="static")
+        >>> world.shape_casts(evil.Circle(0.5), [(0, 0), (0, 9)], [(8, 0), (8, 9)]).bodies.tolist() == [wall.slot, -1]
+        True
+        """
+        me = "World.shape_casts"
+        spec = to_shape(shape, me)._spec
+        return self._core.shape_casts(self, spec, starts, ends, angle, *self._whom(kind, mask, ignore, sensors, me))
 
     @known_keywords
     def bodies_at_each(
@@ -173,7 +268,9 @@ class Queries:
         points: Points,
         *,
         kind: str | Iterable[str] | None = None,
+        mask: int = ALL,
         ignore: Body | Iterable[Body] | None = None,
+        sensors: bool = False,
     ) -> BodyLists:
         """Many `bodies_at` in one call: `found[i]` is the tuple of bodies over point i.
 
@@ -182,7 +279,7 @@ class Queries:
         >>> found[0], found[1] == (box,), found.starts.tolist()
         ((), True, [0, 0, 1])
         """
-        return self._core.bodies_at_each(self, points, *self._whom(kind, ignore, "World.bodies_at_each"))
+        return self._core.bodies_at_each(self, points, *self._whom(kind, mask, ignore, sensors, "World.bodies_at_each"))
 
     @known_keywords
     def overlapping_each(
@@ -192,7 +289,9 @@ class Queries:
         *,
         angle: object = 0.0,
         kind: str | Iterable[str] | None = None,
+        mask: int = ALL,
         ignore: Body | Iterable[Body] | None = None,
+        sensors: bool = False,
     ) -> BodyLists:
         """Many `overlapping` in one call, with one shape at many places; `angle` is a number, or one for each place.
 
@@ -201,7 +300,9 @@ class Queries:
         [True, False]
         """
         me = "World.overlapping_each"
-        return self._core.overlapping_each(self, to_shape(shape, me)._spec, at, angle, *self._whom(kind, ignore, me))
+        return self._core.overlapping_each(
+            self, to_shape(shape, me)._spec, at, angle, *self._whom(kind, mask, ignore, sensors, me)
+        )
 
     @known_keywords
     def nearest_each(
@@ -210,7 +311,9 @@ class Queries:
         *,
         within: float = FARTHEST,
         kind: str | Iterable[str] | None = None,
+        mask: int = ALL,
         ignore: Body | Iterable[Body] | None = None,
+        sensors: bool = False,
     ) -> Nearests:
         """Many `nearest` in one call: columns `bodies`, `shapes`, `points`, `distances`; `found[i]`, a Nearest or None.
 
@@ -220,19 +323,27 @@ class Queries:
         """
         me = "World.nearest_each"
         reach = number(within, me, "within", least=0.0, most=FARTHEST)
-        return self._core.nearest_each(self, points, reach, *self._whom(kind, ignore, me))
+        return self._core.nearest_each(self, points, reach, *self._whom(kind, mask, ignore, sensors, me))
 
     def _whom(
-        self, kind: str | Iterable[str] | None, ignore: Body | Iterable[Body] | None, me: str
-    ) -> tuple[int, tuple[int, ...]]:
-        """What the core takes for `kind` and `ignore`."""
+        self,
+        kind: str | Iterable[str] | None,
+        mask: int,
+        ignore: Body | Iterable[Body] | None,
+        sensors: bool,
+        me: str,
+    ) -> tuple[int, int, tuple[int, ...]]:
+        """What the core takes for `kind`, `mask`, `ignore` and `sensors`."""
         bodies: tuple[int, ...] = ()
         if ignore is not None:
             if not isinstance(ignore, Body) and not isinstance(ignore, Iterable):
                 raise ArgumentTypeError(f"{me}: ignore={ignore!r} must be a Body, or several")
             several = [ignore] if isinstance(ignore, Body) else ignore
             bodies = tuple(self._own_body(body, me, "ignore").slot for body in several)
-        return EVERY_KIND if kind is None else kinds_as_bits(kind, me), bodies
+        if isinstance(mask, bool) or not isinstance(mask, int) or not 0 <= mask <= ALL:
+            raise ArgumentError(f"{me}: mask={mask!r} must be a whole number of 32 bits, such as 0b101")
+        kinds = EVERY_KIND if kind is None else kinds_as_bits(kind, me)
+        return kinds | (SENSORS if flag(sensors, me, "sensors") else 0), mask, bodies
 
 
 def kinds_as_bits(kind: str | Iterable[str], me: str) -> int:

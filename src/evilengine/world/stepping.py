@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from evilengine import _core
 from evilengine.values.checks import number
 from evilengine.values.vec2 import to_vec2
+from evilengine.world.character import tell_characters
 from evilengine.world.contacts import ContactList
 from evilengine.world.forces import PYTHON
 from evilengine.world.joints.joint import joints_that_broke
@@ -77,6 +78,7 @@ def tell_events(world: World) -> None:
                     body._callbacks[name].run()
     for each in broken:
         each.joint._broken.run(each)
+    tell_characters(world)
 
 
 def tell_contacts(world: World, name: str, rows: _core.Touches) -> None:

@@ -15,6 +15,7 @@ from evilengine.world.adding import MAX_SPIN, Recipes
 from evilengine.world.arguments import listed, parts_of, place, speed
 from evilengine.world.bodies import Bodies, BodyList, Numbers, Points
 from evilengine.world.body import Body, Motion, Shape, to_tag
+from evilengine.world.character import Cast
 from evilengine.world.forces import Force
 from evilengine.world.happenings import Happenings
 from evilengine.world.joints import BrokenJoint, Joint, Joints
@@ -30,7 +31,7 @@ AnyForce = TypeVar("AnyForce", bound=Force)
 AnyJoint = TypeVar("AnyJoint", bound=Joint)
 
 
-class World(Queries, Happenings):
+class World(Queries, Happenings, Cast):
     """Bodies, forces and contacts, and the step that moves them.
 
     `gravity` in m/s2; `sleep` lets bodies that rest cost nothing; `threads` is how many threads a step may use (the
