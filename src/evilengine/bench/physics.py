@@ -29,9 +29,9 @@ class Plan:
     substeps: int = 4
     threads: tuple[int, ...] = (1,)
     size: int | None = None
-    patience: float = 12.0
-    """Seconds that a peer may take for the steps before those that count, and for these; the pyramid's are all made,
-    since how still it stands afterwards is measured too."""
+    patience: float = 10.0
+    """Seconds that an engine is timed for at most, and that a peer may take for the steps before; the pyramid's are all
+    made, since how still it stands afterwards is measured too."""
 
 
 class Ours:

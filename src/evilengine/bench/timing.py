@@ -9,6 +9,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
+FEWEST = 3
+"""Rounds that a ratio is the median of."""
+
 
 class Runner(Protocol):
     """A scene in one engine: `prepare` is what the scene does before a step, `step` is what is timed."""
@@ -62,9 +65,10 @@ def take_turns(
 ) -> dict[str, Times]:
     """Let all runners make `warm` steps, then `steps` that are timed, `turn` at a time, in turn.
 
-    Which runner comes first changes from round to round. The first of `runners` makes all steps. Another is left out
-    when it would need more than `patience` seconds for its steps before it is timed, and has fewer rounds when it needs
-    more for those that are; its ratio is of the rounds that it has.
+    Which runner comes first changes from round to round. When the first of `runners` has been timed for `patience`
+    seconds, that is enough for all, once there are FEWEST rounds. Another is left out when it would need longer for its
+    steps before it is timed, and has fewer rounds when it needs longer for those that are; its ratio is of the rounds
+    that it has.
     """
     first = runners[0]
     ready = [runner for runner in runners if _warmed(runner, warm, math.inf if runner is first else patience)]
@@ -77,6 +81,9 @@ def take_turns(
         ready = [runner for runner in ready if runner is first or sum(times[runner.name].steps) < patience]
         ready.append(ready.pop(0))
         done += now
+        rounds = times[first.name].rounds
+        if len(rounds) >= FEWEST and sum(times[first.name].steps) > patience:
+            break
     return times
 
 

@@ -49,8 +49,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--patience",
         type=options.seconds,
         metavar="S",
-        default=12.0,
-        help="leave out a peer that needs longer for a scene",
+        default=10.0,
+        help="time a scene so long at most, and leave out a peer that takes longer to get there (default: 10)",
     )
     parser.add_argument("--json", metavar="FILE", help="write the numbers to FILE, too")
 
