@@ -68,7 +68,7 @@ std::uint64_t fingerprint(const Joint& j) {
     Print print;
     print << word(j.kind) << word(j.collide) << word(j.body_a) << word(j.body_b) << j.anchor_a << j.anchor_b << j.axis
           << j.over_a << j.over_b << j.reference << j.ratio << j.breaking_force << j.breaking_torque;
-    for (const Drive* d : {&j.along, &j.turn})
+    for (const JointDrive* d : {&j.along, &j.turn})
         print << word(d->held) << word(d->limited) << word(d->motor) << d->rest << d->lower << d->upper << d->speed
               << d->most << d->frequency << d->damping_ratio << d->stiffness << d->damping << d->spring_most;
     return print.value();

@@ -54,7 +54,7 @@ template <class A, Like<Force> V> void visit(A& ar, V& f) {
     visit(ar, f.note);
 }
 
-template <class A, Like<Drive> V> void visit(A& ar, V& d) {
+template <class A, Like<JointDrive> V> void visit(A& ar, V& d) {
     visit(ar, d.held, d.limited, d.motor, d.rest, d.lower, d.upper, d.speed, d.most, d.frequency, d.damping_ratio,
           d.stiffness, d.damping, d.spring_most, d.spring_impulse, d.motor_impulse, d.lower_impulse, d.upper_impulse);
 }

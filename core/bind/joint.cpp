@@ -27,8 +27,8 @@ template <auto Field, class C> void bind_field(nb::class_<C>& c, const char* nam
         });
 }
 
-template <Drive Joint::* Which, auto Field, class C> void bind_drive_field(nb::class_<C>& c, const std::string& name) {
-    using Value = std::remove_reference_t<decltype(std::declval<Drive>().*Field)>;
+template <JointDrive Joint::* Which, auto Field, class C> void bind_drive_field(nb::class_<C>& c, const std::string& name) {
+    using Value = std::remove_reference_t<decltype(std::declval<JointDrive>().*Field)>;
     c.def_prop_rw(
         name.c_str(), [](const C& h) { return (fields(h).*Which).*Field; },
         [](C& h, Value value) {
@@ -46,20 +46,20 @@ template <Vec2 Joint::* Field, class C> void bind_point(nb::class_<C>& c, const 
         });
 }
 
-template <Drive Joint::* Which, class C> void bind_drive(nb::class_<C>& c, const std::string& prefix) {
-    bind_drive_field<Which, &Drive::held>(c, prefix + "_held");
-    bind_drive_field<Which, &Drive::limited>(c, prefix + "_limited");
-    bind_drive_field<Which, &Drive::motor>(c, prefix + "_motor");
-    bind_drive_field<Which, &Drive::rest>(c, prefix + "_rest");
-    bind_drive_field<Which, &Drive::lower>(c, prefix + "_lower");
-    bind_drive_field<Which, &Drive::upper>(c, prefix + "_upper");
-    bind_drive_field<Which, &Drive::speed>(c, prefix + "_speed");
-    bind_drive_field<Which, &Drive::most>(c, prefix + "_most");
-    bind_drive_field<Which, &Drive::frequency>(c, prefix + "_frequency");
-    bind_drive_field<Which, &Drive::damping_ratio>(c, prefix + "_damping_ratio");
-    bind_drive_field<Which, &Drive::stiffness>(c, prefix + "_stiffness");
-    bind_drive_field<Which, &Drive::damping>(c, prefix + "_damping");
-    bind_drive_field<Which, &Drive::spring_most>(c, prefix + "_spring_most");
+template <JointDrive Joint::* Which, class C> void bind_drive(nb::class_<C>& c, const std::string& prefix) {
+    bind_drive_field<Which, &JointDrive::held>(c, prefix + "_held");
+    bind_drive_field<Which, &JointDrive::limited>(c, prefix + "_limited");
+    bind_drive_field<Which, &JointDrive::motor>(c, prefix + "_motor");
+    bind_drive_field<Which, &JointDrive::rest>(c, prefix + "_rest");
+    bind_drive_field<Which, &JointDrive::lower>(c, prefix + "_lower");
+    bind_drive_field<Which, &JointDrive::upper>(c, prefix + "_upper");
+    bind_drive_field<Which, &JointDrive::speed>(c, prefix + "_speed");
+    bind_drive_field<Which, &JointDrive::most>(c, prefix + "_most");
+    bind_drive_field<Which, &JointDrive::frequency>(c, prefix + "_frequency");
+    bind_drive_field<Which, &JointDrive::damping_ratio>(c, prefix + "_damping_ratio");
+    bind_drive_field<Which, &JointDrive::stiffness>(c, prefix + "_stiffness");
+    bind_drive_field<Which, &JointDrive::damping>(c, prefix + "_damping");
+    bind_drive_field<Which, &JointDrive::spring_most>(c, prefix + "_spring_most");
 }
 
 template <class C> void bind_fields(nb::class_<C>& c) {

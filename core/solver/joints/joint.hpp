@@ -15,7 +15,7 @@ using JointRef = Ref<struct JointTag>;
 inline constexpr float kNoLimit = kMaxForce; // a greatest force, or a breaking force, that is never reached
 
 // One coordinate of a joint: metres for `along`, radians for `turn`.
-struct Drive {
+struct JointDrive {
     bool held = false;    // stiff at `rest`
     bool limited = false; // kept between lower and upper
     bool motor = false;   // driven at `speed`, with at most `most` newtons or newton metres
@@ -38,7 +38,7 @@ struct Joint {
     Vec2 over_a, over_b;     // pulley: the points of the world that its rope runs over
     double reference = 0.0;  // angle of b less that of a (gear: less `ratio` times a's) that counts as none
     float ratio = 1.0f;      // gear: turns of b for one of a. pulley: how much more b's rope weighs in the sum
-    Drive along, turn;
+    JointDrive along, turn;
     float breaking_force = kNoLimit, breaking_torque = kNoLimit;
 
     Vec2 impulse;        // of the last substep: on b, along x and y (point) or across the axis and turning (axis)

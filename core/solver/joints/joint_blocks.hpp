@@ -27,6 +27,7 @@ struct alignas(32) SoftLanes { // of eight joints, in the pass that moves them a
 struct alignas(32) DriveBlock {
     SoftLanes soft;
     float value[8]; // of the coordinate when the substep began
+    float held[8];  // 1: kept at rest, along a way that may bend
     float base[8];  // turning alone: when the step began
     float mass[8];  // inverse of what a unit impulse changes of its speed
     float rest[8], lower[8], upper[8], speed[8], motor_most[8];
@@ -75,6 +76,7 @@ struct LoneJoint {
     float base;                                   // gear: error when the step began
     float ax, ay, bx, by;                         // what a unit impulse does: direction for each body
     float turn_a, turn_b;
+    float length_a, length_b; // of a pulley's ropes
     float mass, error, impulse, total;
 };
 

@@ -23,7 +23,7 @@ Arms arms_of(const Joint& j, const Body& a, const Body& b) {
 // ---- drives ----
 
 // A spring of a drive; `mass` is what it moves: 1 / (what a unit impulse changes of its speed).
-Softness softness_of(const Drive& d, float inv_mass, float h) {
+Softness softness_of(const JointDrive& d, float inv_mass, float h) {
     if (d.frequency > 0.0f) {
         float omega = static_cast<float>(2.0 * kPi) * d.frequency;
         return spring_softness(omega * omega, 2.0f * d.damping_ratio * omega, h);
@@ -31,10 +31,10 @@ Softness softness_of(const Drive& d, float inv_mass, float h) {
     return spring_softness(clamped(d.stiffness * inv_mass, kMaxForce), clamped(d.damping * inv_mass, kMaxForce), h);
 }
 
-bool sprung(const Drive& d) { return d.frequency > 0.0f || d.stiffness > 0.0f || d.damping > 0.0f; }
-bool driven(const Drive& d) { return d.held || d.limited || d.motor || sprung(d); }
+bool sprung(const JointDrive& d) { return d.frequency > 0.0f || d.stiffness > 0.0f || d.damping > 0.0f; }
+bool driven(const JointDrive& d) { return d.held || d.limited || d.motor || sprung(d); }
 
-void fill_soft(SoftLanes& s, std::size_t i, const Drive& d, float inv_mass, const JointPass& pass) {
+void fill_soft(SoftLanes& s, std::size_t i, const JointDrive& d, float inv_mass, const JointPass& pass) {
     Softness moving{0, 0, 0}, calm{0, 0, 0};
     if (d.held) {
         moving = pass.stiff;
@@ -51,10 +51,11 @@ void fill_soft(SoftLanes& s, std::size_t i, const Drive& d, float inv_mass, cons
     s.most[i] = std::min(d.spring_most, kNoLimit) * std::min(pass.h, 1.0f);
 }
 
-void fill_drive(DriveBlock& k, std::size_t i, const Drive& d, float base, float inv_mass, const JointPass& pass) {
+void fill_drive(DriveBlock& k, std::size_t i, const JointDrive& d, float base, float inv_mass, const JointPass& pass) {
     fill_soft(k.soft, i, d, inv_mass, pass);
     k.base[i] = k.value[i] = base;
     k.rest[i] = d.rest;
+    k.held[i] = d.held ? 1.0f : 0.0f;
     k.lower[i] = d.limited ? d.lower : -kNoLimit;
     k.upper[i] = d.limited ? d.upper : kNoLimit;
     k.speed[i] = d.speed;
@@ -210,7 +211,7 @@ JointTables tables(Solver& solver) {
 float finite_impulse(float impulse) { return impulse > -kMaxForce && impulse < kMaxForce ? impulse : 0.0f; }
 
 // Impulses into the row; the sum of what it did in the step.
-float store_drive(Drive& d, const DriveBlock& k, std::size_t i) {
+float store_drive(JointDrive& d, const DriveBlock& k, std::size_t i) {
     d.spring_impulse = finite_impulse(k.spring[i]);
     d.motor_impulse = finite_impulse(k.motor[i]);
     d.lower_impulse = finite_impulse(k.to_lower[i]);
@@ -225,6 +226,7 @@ void prepare_joints(Solver& solver, const Bodies& bodies, const Joints& joints, 
     sort_joints(solver, bodies, joints);
     float h = step.h();
     js.pass = {h, 1.0f / h, stiff_softness(kHertzOfSubsteps / h, kJointDamping, h)};
+    js.fresh = true;
     js.drives.clear();
     js.softs.clear();
     fill_blocks(solver, bodies, joints, js.at_points, js.points, fill_point);
@@ -232,18 +234,22 @@ void prepare_joints(Solver& solver, const Bodies& bodies, const Joints& joints, 
 }
 
 void warm_start_joints(Solver& solver, InstructionSet set) {
-    begin_lone(solver.joints.alone, solver.bodies, solver.turned);
-    EVIL_PICK(set, begin_joints)(tables(solver));
+    if (solver.joints.fresh) {
+        begin_lone(solver.joints.alone, solver.bodies, solver.turned);
+        EVIL_PICK(set, begin_joints)(tables(solver));
+        solver.joints.fresh = false;
+    }
+    warm_lone(solver.joints.alone, solver.bodies);
+    EVIL_PICK(set, warm_joints)(tables(solver));
 }
 
 void solve_joints(Solver& solver, InstructionSet set) {
-    solve_lone(solver.joints.alone, solver.bodies, solver.joints.pass.stiff);
+    move_lone(solver.joints.alone, solver.bodies, solver.joints.pass);
     EVIL_PICK(set, move_joints)(tables(solver));
 }
 
 void relax_joints(Solver& solver, InstructionSet set) {
-    solve_lone(solver.joints.alone, solver.bodies, {});
-    add_up_lone(solver.joints.alone);
+    calm_lone(solver.joints.alone, solver.bodies, solver.turned);
     EVIL_PICK(set, calm_joints)(tables(solver));
 }
 

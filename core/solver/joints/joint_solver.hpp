@@ -25,6 +25,7 @@ struct JointSolver { // Scratch
     std::vector<SoftLanes> softs;
     std::vector<LoneJoint> alone;
     JointPass pass;
+    bool fresh = true; // arms and errors are still to be found
 };
 
 // Once a step: find those whose bodies move, and give each its lane.

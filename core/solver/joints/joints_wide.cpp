@@ -1,5 +1,9 @@
 // The solver's inner loops over joints: Catto, "Soft Constraints" (GDC 2011), with arms that turn with their bodies in
 // every substep. A joint's drives (springs, motors, limits) come first and what is held last, so that it holds best.
+//
+// What swings keeps its energy: the pass before the bodies move aims at where the joint will hold once they have gone
+// round, not along a line (SHAKE); the pass after it takes out the speed against the joint where they then are (RATTLE:
+// Andersen, "Rattle: a velocity version of the Shake algorithm", 1983).
 #include "solver/joints/joints_wide.hpp"
 #include "math/wide_rows.hpp"
 
@@ -67,6 +71,12 @@ EVIL_INLINE void push(Body& body, Floats sign, Floats x, Floats y, Floats turnin
     body.spin += sign * body.inv_inertia * turning;
 }
 
+// Half of what turning at `spin` does to the speed of an arm's end within the substep: the end goes round, and so falls
+// behind the straight line by spin^2 h / 2 for each metre of arm. Held to turns of a radian, where a line says nothing.
+EVIL_INLINE Floats falling_behind(Floats spin, Floats h, Floats inv_h) {
+    return min(0.5f * h * spin * spin, 0.5f * inv_h);
+}
+
 // ---- drives ----
 
 EVIL_INLINE Floats sum_of(const DriveBlock& d) {
@@ -77,12 +87,13 @@ struct Speed { // of a coordinate, and what a unit impulse changes of it
     Floats now, inv_mass;
 };
 
-template <bool moving> EVIL_INLINE Floats pull_spring(DriveBlock& d, Speed& v, Floats mass) {
+template <bool moving> EVIL_INLINE Floats pull_spring(DriveBlock& d, Speed& v, Floats mass, Floats bend) {
     const SoftLanes& s = d.soft;
-    Floats before = load(d.spring), error = load(d.value) - load(d.rest);
+    Floats before = load(d.spring), error = load(d.value) - load(d.rest), speed = v.now;
+    if (moving) speed += load(d.held) * bend;
     Floats keep = load(moving ? s.keep : s.calm_keep), pull = load(moving ? s.pull : s.calm_pull);
     Floats leak = load(moving ? s.leak : s.calm_leak), most = load(s.most);
-    Floats after = bounded(before - mass * (keep * v.now + pull * error) - leak * before, most);
+    Floats after = bounded(before - mass * (keep * speed + pull * error) - leak * before, most);
     store(d.spring, after);
     v.now += v.inv_mass * (after - before);
     return after - before;
@@ -112,38 +123,51 @@ EVIL_INLINE Floats push_from_limit(float* impulse, Floats gap, Floats opening, F
     return after - before;
 }
 
-template <bool moving> EVIL_INLINE Floats drive(DriveBlock& d, Speed v, const JointPass& pass) {
-    Floats mass = load(d.mass), value = load(d.value);
-    Floats impulse = pull_spring<moving>(d, v, mass);
+// Springs go by where the coordinate was when the substep began, in both passes: so their work is that of the path gone.
+// Limits go by where it is. `bend`: what the way round does to the speed beyond a straight line's.
+template <bool moving>
+EVIL_INLINE Floats drive(DriveBlock& d, Speed v, Floats value, Floats bend, const JointPass& pass) {
+    Floats mass = load(d.mass);
+    Floats impulse = pull_spring<moving>(d, v, mass, bend);
     impulse += run_motor(d, v, mass);
-    Floats up = push_from_limit<moving>(d.to_lower, value - load(d.lower), v.now, mass, pass);
-    v.now += v.inv_mass * up;
-    Floats down = push_from_limit<moving>(d.to_upper, load(d.upper) - value, -v.now, mass, pass);
+    Floats opening = v.now;
+    if (moving) opening += bend;
+    Floats up = push_from_limit<moving>(d.to_lower, value - load(d.lower), opening, mass, pass);
+    opening += v.inv_mass * up;
+    Floats down = push_from_limit<moving>(d.to_upper, load(d.upper) - value, -opening, mass, pass);
+    if (!moving) {
+        store(d.value, value);
+        store(d.total, load(d.total) + sum_of(d));
+    }
     return impulse + (up - down);
 }
 
-EVIL_INLINE void begin_turn(DriveBlock& d, Ends& e, Floats turned) {
+EVIL_INLINE void spin_ends(Ends& e, Floats impulse) {
+    e.a.spin -= e.a.inv_inertia * impulse;
+    e.b.spin += e.b.inv_inertia * impulse;
+}
+
+EVIL_INLINE void begin_turn(DriveBlock& d, const Ends& e, Floats turned) {
     store(d.value, load(d.base) + turned);
     store(d.mass, inverse(e.a.inv_inertia + e.b.inv_inertia));
-    Floats impulse = sum_of(d);
-    e.a.spin -= e.a.inv_inertia * impulse;
-    e.b.spin += e.b.inv_inertia * impulse;
 }
 
-template <bool moving> EVIL_INLINE void drive_turn(DriveBlock& d, Ends& e, const JointPass& pass) {
+template <bool moving> EVIL_INLINE void drive_turn(DriveBlock& d, Ends& e, Floats turned, const JointPass& pass) {
     Speed v{e.b.spin - e.a.spin, e.a.inv_inertia + e.b.inv_inertia};
-    Floats impulse = drive<moving>(d, v, pass);
-    e.a.spin -= e.a.inv_inertia * impulse;
-    e.b.spin += e.b.inv_inertia * impulse;
+    Floats value = moving ? load(d.value) : load(d.base) + turned;
+    spin_ends(e, drive<moving>(d, v, value, 0.0f, pass));
 }
-
-EVIL_INLINE void add_up(DriveBlock& d) { store(d.total, load(d.total) + sum_of(d)); }
 
 // ---- a point of a on a point of b ----
 
+struct Arms {
+    Pair a, b;
+};
+
 // What unit impulses along x and y change of the speeds there, inverted. With u the turned arms (Catto, "Computing
 // Effective Mass"): K = m I + i_a u_a u_a' + i_b u_b u_b', whose determinant has no differences in it when written so:
-EVIL_INLINE void point_mass(PointBlock& k, const Ends& e, Pair a, Pair b) {
+EVIL_INLINE void find_mass(PointBlock& k, const Ends& e, const Arms& r) {
+    Pair a = r.a, b = r.b;
     Floats m = e.a.inv_mass + e.b.inv_mass, ia = e.a.inv_inertia, ib = e.b.inv_inertia;
     Floats xx = m + ia * a.y * a.y + ib * b.y * b.y, yy = m + ia * a.x * a.x + ib * b.x * b.x;
     Floats xy = ia * a.x * a.y + ib * b.x * b.y; // negated
@@ -155,14 +179,11 @@ EVIL_INLINE void point_mass(PointBlock& k, const Ends& e, Pair a, Pair b) {
     store(k.mass_yy, xx * inv);
 }
 
-EVIL_INLINE void push_point(const PointBlock& k, Ends& e, Floats x, Floats y) {
-    push(e.a, -1.0f, x, y, load(k.ax) * y - load(k.ay) * x);
-    push(e.b, 1.0f, x, y, load(k.bx) * y - load(k.by) * x);
-}
+EVIL_INLINE Arms arms_of(const PointBlock& k) { return {{load(k.ax), load(k.ay)}, {load(k.bx), load(k.by)}}; }
 
-EVIL_INLINE void begin(const JointTables& t, PointBlock& k) {
-    Ends e{load_bodies(t.bodies, k.a), load_bodies(t.bodies, k.b)};
-    Floats turned_a = gather(t.turned, load(k.a)), turned_b = gather(t.turned, load(k.b)), s, c;
+// Arms, masses and errors where the bodies are now.
+EVIL_INLINE Arms refresh(PointBlock& k, const Ends& e, Floats turned_a, Floats turned_b) {
+    Floats s, c;
     sine_cosine(turned_a, s, c);
     Pair a = turn(c, s, load(k.start_ax), load(k.start_ay));
     sine_cosine(turned_b, s, c);
@@ -173,9 +194,28 @@ EVIL_INLINE void begin(const JointTables& t, PointBlock& k) {
     store(k.by, b.y);
     store(k.error_x, load(k.gap_x) + (e.b.moved_x - e.a.moved_x) + (b.x - a.x));
     store(k.error_y, load(k.gap_y) + (e.b.moved_y - e.a.moved_y) + (b.y - a.y));
-    point_mass(k, e, a, b);
-    push_point(k, e, load(k.impulse_x), load(k.impulse_y));
+    find_mass(k, e, {a, b});
+    return {a, b};
+}
+
+EVIL_INLINE void push_point(const Arms& r, Ends& e, Floats x, Floats y) {
+    push(e.a, -1.0f, x, y, r.a.x * y - r.a.y * x);
+    push(e.b, 1.0f, x, y, r.b.x * y - r.b.y * x);
+}
+
+EVIL_INLINE Floats turned(const JointTables& t, const std::uint32_t* rows) { return gather(t.turned, load(rows)); }
+
+EVIL_INLINE void begin(const JointTables& t, PointBlock& k) {
+    Ends e{load_bodies(t.bodies, k.a), load_bodies(t.bodies, k.b)};
+    Floats turned_a = turned(t, k.a), turned_b = turned(t, k.b);
+    refresh(k, e, turned_a, turned_b);
     if (k.turn != kNoDrive) begin_turn(t.drives[k.turn], e, turned_b - turned_a);
+}
+
+EVIL_INLINE void warm(const JointTables& t, PointBlock& k) {
+    Ends e{load_bodies(t.bodies, k.a), load_bodies(t.bodies, k.b)};
+    push_point(arms_of(k), e, load(k.impulse_x), load(k.impulse_y));
+    if (k.turn != kNoDrive) spin_ends(e, sum_of(t.drives[k.turn]));
     store_bodies(t.bodies, k.a, e.a);
     store_bodies(t.bodies, k.b, e.b);
 }
@@ -194,43 +234,53 @@ template <bool moving> EVIL_INLINE Soft softness(const JointTables& t, std::uint
     return {load(s.calm_keep), load(s.calm_pull), load(s.calm_leak)};
 }
 
+EVIL_INLINE Pair weakened(Pair impulse, Floats most) { // no stronger than it may be
+    Floats size = sqrt(impulse.x * impulse.x + impulse.y * impulse.y);
+    Mask over = size > most;
+    Floats scale = select(over, most / select(over, size, Floats(1.0f)), Floats(1.0f));
+    return {impulse.x * scale, impulse.y * scale};
+}
+
 template <bool moving> EVIL_INLINE void solve(const JointTables& t, PointBlock& k) {
     Ends e{load_bodies(t.bodies, k.a), load_bodies(t.bodies, k.b)};
-    if (k.turn != kNoDrive) drive_turn<moving>(t.drives[k.turn], e, t.pass);
-    Floats ax = load(k.ax), ay = load(k.ay), bx = load(k.bx), by = load(k.by);
-    Floats vx = (e.b.vx - e.b.spin * by) - (e.a.vx - e.a.spin * ay);
-    Floats vy = (e.b.vy + e.b.spin * bx) - (e.a.vy + e.a.spin * ax);
+    Pair error{load(k.error_x), load(k.error_y)}; // when the substep began
+    Floats turned_by = 0.0f;
+    Arms r;
+    if (moving) {
+        r = arms_of(k);
+    } else {
+        Floats turned_a = turned(t, k.a), turned_b = turned(t, k.b);
+        turned_by = turned_b - turned_a;
+        r = refresh(k, e, turned_a, turned_b);
+    }
+    if (k.turn != kNoDrive) drive_turn<moving>(t.drives[k.turn], e, turned_by, t.pass);
+    Floats vx = (e.b.vx - e.b.spin * r.b.y) - (e.a.vx - e.a.spin * r.a.y);
+    Floats vy = (e.b.vy + e.b.spin * r.b.x) - (e.a.vy + e.a.spin * r.a.x);
+    Floats old_x = load(k.impulse_x), old_y = load(k.impulse_y), leak = 0.0f;
     if (moving || k.soft != kNoDrive) {
         Soft s = softness<moving>(t, k.soft);
-        vx = s.keep * vx + s.pull * load(k.error_x);
-        vy = s.keep * vy + s.pull * load(k.error_y);
+        if (moving) {
+            Floats a = falling_behind(e.a.spin, t.pass.h, t.pass.inv_h);
+            Floats b = falling_behind(e.b.spin, t.pass.h, t.pass.inv_h);
+            vx += a * r.a.x - b * r.b.x;
+            vy += a * r.a.y - b * r.b.y;
+        }
+        vx = s.keep * vx + s.pull * error.x;
+        vy = s.keep * vy + s.pull * error.y;
+        leak = s.leak;
     }
     Floats xx = load(k.mass_xx), xy = load(k.mass_xy), yy = load(k.mass_yy);
-    Floats old_x = load(k.impulse_x), old_y = load(k.impulse_y);
-    Floats new_x = old_x - (xx * vx + xy * vy), new_y = old_y - (xy * vx + yy * vy);
-    if (moving || k.soft != kNoDrive) {
-        Soft s = softness<moving>(t, k.soft);
-        new_x -= s.leak * old_x;
-        new_y -= s.leak * old_y;
-    }
-    new_x = bounded(new_x, kMostImpulse);
-    new_y = bounded(new_y, kMostImpulse);
-    if (k.soft != kNoDrive) { // no stronger than it may be
-        Floats most = load(t.softs[k.soft].most), size = sqrt(new_x * new_x + new_y * new_y);
-        Mask over = size > most;
-        Floats scale = select(over, most / select(over, size, Floats(1.0f)), Floats(1.0f));
-        new_x *= scale;
-        new_y *= scale;
-    }
-    store(k.impulse_x, new_x);
-    store(k.impulse_y, new_y);
-    push_point(k, e, new_x - old_x, new_y - old_y);
+    Pair now{bounded((old_x - (xx * vx + xy * vy)) - leak * old_x, kMostImpulse),
+             bounded((old_y - (xy * vx + yy * vy)) - leak * old_y, kMostImpulse)};
+    if (k.soft != kNoDrive) now = weakened(now, load(t.softs[k.soft].most));
+    store(k.impulse_x, now.x);
+    store(k.impulse_y, now.y);
+    push_point(r, e, now.x - old_x, now.y - old_y);
     store_bodies(t.bodies, k.a, e.a);
     store_bodies(t.bodies, k.b, e.b);
     if (moving) return;
-    store(k.total_x, load(k.total_x) + new_x);
-    store(k.total_y, load(k.total_y) + new_y);
-    if (k.turn != kNoDrive) add_up(t.drives[k.turn]);
+    store(k.total_x, load(k.total_x) + now.x);
+    store(k.total_y, load(k.total_y) + now.y);
 }
 
 // ---- along and across a direction ----
@@ -250,72 +300,102 @@ EVIL_INLINE void guide_mass(AxisBlock& k, const Ends& e, Floats side_a, Floats s
     store(k.mass_tt, select(both, ss * inv, zero));
 }
 
-EVIL_INLINE void push_along(const AxisBlock& k, Ends& e, Floats impulse) {
-    Floats x = impulse * load(k.nx), y = impulse * load(k.ny);
-    push(e.a, -1.0f, x, y, impulse * load(k.arm_a));
-    push(e.b, 1.0f, x, y, impulse * load(k.arm_b));
+struct Way { // the axis, and what turning does along it (arm x n) and across it
+    Floats nx, ny, arm_a, arm_b, side_a, side_b;
+};
+
+EVIL_INLINE Way way_of(const AxisBlock& k) {
+    return {load(k.nx), load(k.ny), load(k.arm_a), load(k.arm_b), load(k.side_a), load(k.side_b)};
 }
 
-EVIL_INLINE void push_guide(const AxisBlock& k, Ends& e, Floats side, Floats turning) { // across = n turned left
-    Floats x = -side * load(k.ny), y = side * load(k.nx);
-    push(e.a, -1.0f, x, y, side * load(k.side_a) + turning);
-    push(e.b, 1.0f, x, y, side * load(k.side_b) + turning);
+EVIL_INLINE Floats inv_mass_along(const Ends& e, const Way& w) {
+    return e.a.inv_mass + e.b.inv_mass + e.a.inv_inertia * w.arm_a * w.arm_a + e.b.inv_inertia * w.arm_b * w.arm_b;
 }
 
-// From a's anchor to b's where the bodies are now, and the direction and arms of the pushes along it.
-EVIL_INLINE Pair aim(const JointTables& t, AxisBlock& k, const Ends& e) {
+// The axis, arms, masses and errors where the bodies are now; `length` is what the axis measures.
+EVIL_INLINE Way refresh(const JointTables& t, AxisBlock& k, const Ends& e, Floats turned_a, Floats turned_b,
+                        Floats& length) {
     Floats s, c;
-    sine_cosine(gather(t.turned, load(k.b)), s, c);
+    sine_cosine(turned_b, s, c);
     Pair b = turn(c, s, load(k.start_bx), load(k.start_by));
-    sine_cosine(gather(t.turned, load(k.a)), s, c);
+    sine_cosine(turned_a, s, c);
     Pair a = turn(c, s, load(k.start_ax), load(k.start_ay));
     Pair axis = turn(c, s, load(k.axis_x), load(k.axis_y));
     Floats dx = load(k.gap_x) + (e.b.moved_x - e.a.moved_x) + (b.x - a.x);
     Floats dy = load(k.gap_y) + (e.b.moved_y - e.a.moved_y) + (b.y - a.y);
-    Floats size = sqrt(dx * dx + dy * dy), inv = inverse(size);
+    Floats inv = inverse(sqrt(dx * dx + dy * dy));
     Mask fixed = as_mask(k.fixed) | (inv == Floats(0.0f)); // anchors in one place: any direction will do
-    Floats nx = select(fixed, axis.x, dx * inv), ny = select(fixed, axis.y, dy * inv);
+    Way w;
+    w.nx = select(fixed, axis.x, dx * inv);
+    w.ny = select(fixed, axis.y, dy * inv);
     Floats far_x = a.x + dx, far_y = a.y + dy; // b's anchor from a's centre
-    store(k.nx, nx);
-    store(k.ny, ny);
-    store(k.arm_a, far_x * ny - far_y * nx);
-    store(k.arm_b, b.x * ny - b.y * nx);
-    store(k.side_a, far_x * nx + far_y * ny);
-    store(k.side_b, b.x * nx + b.y * ny);
-    return {dx, dy};
+    w.arm_a = far_x * w.ny - far_y * w.nx;
+    w.arm_b = b.x * w.ny - b.y * w.nx;
+    w.side_a = far_x * w.nx + far_y * w.ny;
+    w.side_b = b.x * w.nx + b.y * w.ny;
+    store(k.nx, w.nx);
+    store(k.ny, w.ny);
+    store(k.arm_a, w.arm_a);
+    store(k.arm_b, w.arm_b);
+    store(k.side_a, w.side_a);
+    store(k.side_b, w.side_b);
+    length = dx * w.nx + dy * w.ny;
+    store(t.drives[k.along].mass, inverse(inv_mass_along(e, w)));
+    if (k.guided) {
+        store(k.error, dy * w.nx - dx * w.ny);
+        store(k.error_turn, load(k.base_turn) + (turned_b - turned_a));
+        guide_mass(k, e, w.side_a, w.side_b);
+    }
+    return w;
+}
+
+EVIL_INLINE void push_along(const Way& w, Ends& e, Floats impulse) {
+    Floats x = impulse * w.nx, y = impulse * w.ny;
+    push(e.a, -1.0f, x, y, impulse * w.arm_a);
+    push(e.b, 1.0f, x, y, impulse * w.arm_b);
+}
+
+EVIL_INLINE void push_guide(const Way& w, Ends& e, Floats side, Floats turning) { // across = n turned left
+    Floats x = -side * w.ny, y = side * w.nx;
+    push(e.a, -1.0f, x, y, side * w.side_a + turning);
+    push(e.b, 1.0f, x, y, side * w.side_b + turning);
 }
 
 EVIL_INLINE void begin(const JointTables& t, AxisBlock& k) {
     Ends e{load_bodies(t.bodies, k.a), load_bodies(t.bodies, k.b)};
-    Pair d = aim(t, k, e);
-    Floats nx = load(k.nx), ny = load(k.ny), dx = d.x, dy = d.y;
-    Floats arm_a = load(k.arm_a), arm_b = load(k.arm_b), side_a = load(k.side_a), side_b = load(k.side_b);
-    Floats turned = gather(t.turned, load(k.b)) - gather(t.turned, load(k.a));
-    DriveBlock& along = t.drives[k.along];
-    store(along.value, dx * nx + dy * ny);
-    store(along.mass,
-          inverse(e.a.inv_mass + e.b.inv_mass + e.a.inv_inertia * arm_a * arm_a + e.b.inv_inertia * arm_b * arm_b));
-    push_along(k, e, sum_of(along));
-    if (k.turn != kNoDrive) begin_turn(t.drives[k.turn], e, turned);
-    if (k.guided) {
-        store(k.error, dy * nx - dx * ny);
-        store(k.error_turn, load(k.base_turn) + turned);
-        guide_mass(k, e, side_a, side_b);
-        push_guide(k, e, load(k.impulse_side), load(k.impulse_turn));
-    }
+    Floats turned_a = turned(t, k.a), turned_b = turned(t, k.b), length;
+    refresh(t, k, e, turned_a, turned_b, length);
+    store(t.drives[k.along].value, length);
+    if (k.turn != kNoDrive) begin_turn(t.drives[k.turn], e, turned_b - turned_a);
+}
+
+EVIL_INLINE void warm(const JointTables& t, AxisBlock& k) {
+    Ends e{load_bodies(t.bodies, k.a), load_bodies(t.bodies, k.b)};
+    Way w = way_of(k);
+    push_along(w, e, sum_of(t.drives[k.along]));
+    if (k.turn != kNoDrive) spin_ends(e, sum_of(t.drives[k.turn]));
+    if (k.guided) push_guide(w, e, load(k.impulse_side), load(k.impulse_turn));
     store_bodies(t.bodies, k.a, e.a);
     store_bodies(t.bodies, k.b, e.b);
 }
 
-template <bool moving> EVIL_INLINE void guide(AxisBlock& k, Ends& e, const JointPass& pass) {
-    Floats nx = load(k.nx), ny = load(k.ny);
-    Floats speed =
-        (e.b.vy - e.a.vy) * nx - (e.b.vx - e.a.vx) * ny + e.b.spin * load(k.side_b) - e.a.spin * load(k.side_a);
-    Floats turning = e.b.spin - e.a.spin, old_side = load(k.impulse_side), old_turn = load(k.impulse_turn);
-    Floats leak = 0.0f;
-    if (moving) {
+EVIL_INLINE Floats speed_along(const Way& w, const Ends& e) {
+    return (e.b.vx - e.a.vx) * w.nx + (e.b.vy - e.a.vy) * w.ny + e.b.spin * w.arm_b - e.a.spin * w.arm_a;
+}
+
+EVIL_INLINE Floats speed_across(const Way& w, const Ends& e) {
+    return (e.b.vy - e.a.vy) * w.nx - (e.b.vx - e.a.vx) * w.ny + e.b.spin * w.side_b - e.a.spin * w.side_a;
+}
+
+template <bool moving> EVIL_INLINE void guide(AxisBlock& k, const Way& w, Ends& e, const JointPass& pass) {
+    Floats speed = speed_across(w, e), turning = e.b.spin - e.a.spin, leak = 0.0f;
+    Floats old_side = load(k.impulse_side), old_turn = load(k.impulse_turn);
+    if (moving) { // the axis turns too, and sweeps what slides along it
         Floats keep = pass.stiff.keep, pull = pass.stiff.pull;
-        speed = keep * speed + pull * load(k.error);
+        Floats bend = falling_behind(e.b.spin, pass.h, pass.inv_h) * w.arm_b -
+                      falling_behind(e.a.spin, pass.h, pass.inv_h) * w.arm_a -
+                      Floats(pass.h) * e.a.spin * speed_along(w, e);
+        speed = keep * (speed + bend) + pull * load(k.error);
         turning = keep * turning + pull * load(k.error_turn);
         leak = pass.stiff.leak;
     }
@@ -324,28 +404,40 @@ template <bool moving> EVIL_INLINE void guide(AxisBlock& k, Ends& e, const Joint
     Floats new_turn = bounded(old_turn - (st * speed + tt * turning) - leak * old_turn, kMostImpulse);
     store(k.impulse_side, new_side);
     store(k.impulse_turn, new_turn);
-    push_guide(k, e, new_side - old_side, new_turn - old_turn);
+    push_guide(w, e, new_side - old_side, new_turn - old_turn);
     if (moving) return;
     store(k.total_side, load(k.total_side) + new_side);
     store(k.total_turn, load(k.total_turn) + new_turn);
 }
 
-// While relaxing, along where the bodies are by then: a push along where they were would brake what turns.
+// Half of what the way round does to the length between two anchors: each end goes round its centre, and one round the
+// other. Held to turns of a radian.
+EVIL_INLINE Floats bend_of(const AxisBlock& k, const Way& w, const Ends& e, Floats length, const JointPass& pass) {
+    Floats zero = 0.0f, across = speed_across(w, e) + e.a.spin * length;
+    Floats round = clamp(0.5f * Floats(pass.h) * across * inverse(length), -0.5f, 0.5f) * across;
+    Floats a = falling_behind(e.a.spin, pass.h, pass.inv_h), b = falling_behind(e.b.spin, pass.h, pass.inv_h);
+    return select(as_mask(k.fixed), zero, round + a * (w.side_a - length) - b * w.side_b);
+}
+
 template <bool moving> EVIL_INLINE void solve(const JointTables& t, AxisBlock& k) {
     Ends e{load_bodies(t.bodies, k.a), load_bodies(t.bodies, k.b)};
-    if (!moving) aim(t, k, e);
     DriveBlock& along = t.drives[k.along];
-    if (k.turn != kNoDrive) drive_turn<moving>(t.drives[k.turn], e, t.pass);
-    Floats nx = load(k.nx), ny = load(k.ny), arm_a = load(k.arm_a), arm_b = load(k.arm_b);
-    Floats inv_mass = e.a.inv_mass + e.b.inv_mass + e.a.inv_inertia * arm_a * arm_a + e.b.inv_inertia * arm_b * arm_b;
-    Floats speed = (e.b.vx - e.a.vx) * nx + (e.b.vy - e.a.vy) * ny + e.b.spin * arm_b - e.a.spin * arm_a;
-    push_along(k, e, drive<moving>(along, {speed, inv_mass}, t.pass));
-    if (k.guided) guide<moving>(k, e, t.pass);
+    Floats turned_by = 0.0f, bend = 0.0f, length;
+    Way w;
+    if (moving) {
+        w = way_of(k);
+        length = load(along.value);
+    } else {
+        Floats turned_a = turned(t, k.a), turned_b = turned(t, k.b);
+        turned_by = turned_b - turned_a;
+        w = refresh(t, k, e, turned_a, turned_b, length);
+    }
+    if (k.turn != kNoDrive) drive_turn<moving>(t.drives[k.turn], e, turned_by, t.pass);
+    if (moving) bend = bend_of(k, w, e, length, t.pass);
+    push_along(w, e, drive<moving>(along, {speed_along(w, e), inv_mass_along(e, w)}, length, bend, t.pass));
+    if (k.guided) guide<moving>(k, w, e, t.pass);
     store_bodies(t.bodies, k.a, e.a);
     store_bodies(t.bodies, k.b, e.b);
-    if (moving) return;
-    add_up(along);
-    if (k.turn != kNoDrive) add_up(t.drives[k.turn]);
 }
 
 } // namespace
@@ -353,6 +445,11 @@ template <bool moving> EVIL_INLINE void solve(const JointTables& t, AxisBlock& k
 void begin_joints(const JointTables& t) noexcept {
     for (std::size_t i = 0; i < t.axis_count; ++i) begin(t, t.axes[i]);
     for (std::size_t i = 0; i < t.point_count; ++i) begin(t, t.points[i]);
+}
+
+void warm_joints(const JointTables& t) noexcept {
+    for (std::size_t i = 0; i < t.axis_count; ++i) warm(t, t.axes[i]);
+    for (std::size_t i = 0; i < t.point_count; ++i) warm(t, t.points[i]);
 }
 
 void move_joints(const JointTables& t) noexcept {

@@ -17,8 +17,9 @@ struct JointTables { // what the kernels work on
     JointPass pass;
 };
 
-// `begin_joints` finds arms, errors and masses where the bodies are, and starts from the impulses of the last substep;
-// `move_joints` solves with a push that mends errors, `calm_joints` without, and adds up what was needed.
-EVIL_WIDE(void begin_joints(const JointTables& tables) noexcept; void move_joints(const JointTables& tables) noexcept;
-          void calm_joints(const JointTables& tables) noexcept;)
+// `begin_joints` finds arms, errors and masses when a step begins; `warm_joints` starts from the impulses of the last
+// substep; `move_joints` solves with a push that mends errors; `calm_joints`, once the bodies have moved, finds arms and
+// all that anew, solves without the push, and adds up what was needed.
+EVIL_WIDE(void begin_joints(const JointTables& tables) noexcept; void warm_joints(const JointTables& tables) noexcept;
+          void move_joints(const JointTables& tables) noexcept; void calm_joints(const JointTables& tables) noexcept;)
 } // namespace evil

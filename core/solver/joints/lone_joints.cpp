@@ -16,16 +16,15 @@ Vec2 direction(Vec2 v, float& size) {
 void begin_pulley(LoneJoint& k, const SolverBody& a, const SolverBody& b, float turned_a, float turned_b) {
     Vec2 arm_a = rotate(rotation(double(turned_a)), {k.start_ax, k.start_ay});
     Vec2 arm_b = rotate(rotation(double(turned_b)), {k.start_bx, k.start_by});
-    float length_a = 0.0f, length_b = 0.0f;
-    Vec2 along_a = direction(Vec2{k.rope_ax + a.moved_x, k.rope_ay + a.moved_y} + arm_a, length_a);
-    Vec2 along_b = direction(Vec2{k.rope_bx + b.moved_x, k.rope_by + b.moved_y} + arm_b, length_b);
+    Vec2 along_a = direction(Vec2{k.rope_ax + a.moved_x, k.rope_ay + a.moved_y} + arm_a, k.length_a);
+    Vec2 along_b = direction(Vec2{k.rope_bx + b.moved_x, k.rope_by + b.moved_y} + arm_b, k.length_b);
     k.ax = along_a.x;
     k.ay = along_a.y;
     k.bx = k.ratio * along_b.x;
     k.by = k.ratio * along_b.y;
     k.turn_a = cross(arm_a, along_a);
     k.turn_b = k.ratio * cross(arm_b, along_b);
-    k.error = length_a + k.ratio * length_b - k.wanted;
+    k.error = k.length_a + k.ratio * k.length_b - k.wanted;
 }
 
 void begin_gear(LoneJoint& k, float turned_a, float turned_b) {
@@ -47,6 +46,21 @@ void push_both(const LoneJoint& k, std::span<SolverBody> bodies, float impulse) 
 
 float inv_mass_of(const SolverBody& body, float x, float y, float turning) {
     return body.inv_mass * (x * x + y * y) + body.inv_inertia * turning * turning;
+}
+
+// Half of what swinging at a rope's end does to its length: going round, not along a line. (x, y) is `ratio` long.
+float bend_of(const SolverBody& body, float x, float y, float ratio, float size, float h) {
+    float across = (body.vy * x - body.vx * y) / ratio;
+    return size > 1e-6f ? ratio * clamped(0.5f * h * across / size, 0.5f) * across : 0.0f;
+}
+
+void push(LoneJoint& k, std::span<SolverBody> bodies, Softness soft, float bend) {
+    const SolverBody &a = bodies[k.a], &b = bodies[k.b];
+    float speed = (a.vx * k.ax + a.vy * k.ay + a.spin * k.turn_a) + (b.vx * k.bx + b.vy * k.by + b.spin * k.turn_b);
+    float impulse = -k.mass * (soft.keep * (speed + bend) + soft.pull * k.error) - soft.leak * k.impulse;
+    impulse = clamped(k.impulse + impulse, kMaxForce) - k.impulse;
+    k.impulse += impulse;
+    push_both(k, bodies, impulse);
 }
 
 } // namespace
@@ -82,26 +96,30 @@ void begin_lone(std::span<LoneJoint> joints, std::span<SolverBody> bodies, std::
             begin_pulley(k, bodies[k.a], bodies[k.b], turned[k.a], turned[k.b]);
         else
             begin_gear(k, turned[k.a], turned[k.b]);
-        float inv_mass =
-            inv_mass_of(bodies[k.a], k.ax, k.ay, k.turn_a) + inv_mass_of(bodies[k.b], k.bx, k.by, k.turn_b);
+        float inv_mass = inv_mass_of(bodies[k.a], k.ax, k.ay, k.turn_a) + inv_mass_of(bodies[k.b], k.bx, k.by, k.turn_b);
         k.mass = inv_mass > 0.0f && inv_mass < 1e38f ? 1.0f / inv_mass : 0.0f;
-        push_both(k, bodies, k.impulse);
     }
 }
 
-void solve_lone(std::span<LoneJoint> joints, std::span<SolverBody> bodies, Softness soft) {
+void warm_lone(std::span<LoneJoint> joints, std::span<SolverBody> bodies) {
+    for (const LoneJoint& k : joints) push_both(k, bodies, k.impulse);
+}
+
+void move_lone(std::span<LoneJoint> joints, std::span<SolverBody> bodies, const JointPass& pass) {
     for (LoneJoint& k : joints) {
-        const SolverBody &a = bodies[k.a], &b = bodies[k.b];
-        float speed = (a.vx * k.ax + a.vy * k.ay + a.spin * k.turn_a) + (b.vx * k.bx + b.vy * k.by + b.spin * k.turn_b);
-        float impulse = -k.mass * (soft.keep * speed + soft.pull * k.error) - soft.leak * k.impulse;
-        impulse = clamped(k.impulse + impulse, kMaxForce) - k.impulse;
-        k.impulse += impulse;
-        push_both(k, bodies, impulse);
+        float bend = k.pulley ? bend_of(bodies[k.a], k.ax, k.ay, 1.0f, k.length_a, pass.h) +
+                                    bend_of(bodies[k.b], k.bx, k.by, k.ratio, k.length_b, pass.h)
+                              : 0.0f;
+        push(k, bodies, pass.stiff, bend);
     }
 }
 
-void add_up_lone(std::span<LoneJoint> joints) {
-    for (LoneJoint& k : joints) k.total += k.impulse;
+void calm_lone(std::span<LoneJoint> joints, std::span<SolverBody> bodies, std::span<const float> turned) {
+    begin_lone(joints, bodies, turned);
+    for (LoneJoint& k : joints) {
+        push(k, bodies, {}, 0.0f);
+        k.total += k.impulse;
+    }
 }
 
 } // namespace evil
