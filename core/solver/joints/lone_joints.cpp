@@ -96,7 +96,8 @@ void begin_lone(std::span<LoneJoint> joints, std::span<SolverBody> bodies, std::
             begin_pulley(k, bodies[k.a], bodies[k.b], turned[k.a], turned[k.b]);
         else
             begin_gear(k, turned[k.a], turned[k.b]);
-        float inv_mass = inv_mass_of(bodies[k.a], k.ax, k.ay, k.turn_a) + inv_mass_of(bodies[k.b], k.bx, k.by, k.turn_b);
+        float inv_mass =
+            inv_mass_of(bodies[k.a], k.ax, k.ay, k.turn_a) + inv_mass_of(bodies[k.b], k.bx, k.by, k.turn_b);
         k.mass = inv_mass > 0.0f && inv_mass < 1e38f ? 1.0f / inv_mass : 0.0f;
     }
 }
