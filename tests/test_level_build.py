@@ -202,6 +202,32 @@ def test_forces_act() -> None:
     assert built["c"].velocity.y < 9
 
 
+def test_things_deal_with_what_they_meet_as_the_level_says() -> None:
+    text = """
+    new rectangle belt 30 0.5 at 0 -0.25 conveyor 2; new circle cargo 0.4 at 0 0.4 physicsOn friction 1;
+    new rectangle ledge 4 0.2 at 20 2 oneWay; new circle jumper 0.3 at 20 0 physicsOn velocity 0 9;
+    new circle ghost 0.4 at 5 2 physicsOn category 2 mask 4; new circle left 0.4 at -30 0 physicsOn group -3;
+    new rectangle gate 2 2 at 0 1 sensor;
+    """
+    _, built = play(text + "set ghost category 6; after 1 { set belt conveyor -1; }", 110)
+    assert built["belt"].surface_speed == -1
+    assert built["cargo"].velocity.x < 2
+    assert built["jumper"].position.y > 2
+    assert built["ghost"].position.y < -1
+    assert (built["ghost"].category, built["ghost"].mask, built["left"].group) == (6, 4, -3)
+    assert (built["gate"].sensor, built["ledge"].one_way) == (True, (0, 1))
+
+
+def test_media_lift_and_blow() -> None:
+    text = """
+    new medium 9 4 at 0 -2 density 1 drag 3; new rectangle raft 2 1 at 0 0.5 physicsOn density 0.5;
+    new medium 2 20 at 9 0 velocity 0 15 drag 2; new circle leaf 0.2 at 9 0 physicsOn mass 0.1;
+    """
+    _, built = play(text, 400)
+    assert built["raft"].position.y == pytest.approx(0, abs=0.05)
+    assert built["leaf"].position.y > 5
+
+
 def test_numbers_are_shown_in_texts() -> None:
     game, built = play(
         'let score 2; text board "Score {score} of {{3}}" at 10 10; on key "a" { set score (score + 0.5); }'

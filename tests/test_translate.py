@@ -52,6 +52,10 @@ new force wind 1 0 for ball class; new drag 0.2; new medium 4 2 at 0 -3 drag 4; 
 new polygon rock -0.5 -0.5, 0.5 -0.4, 0 0.6 at -3 2 physicsOn angle 33.3 spin -120 mass 2 damping 0.9 spinDamping 0.5;
 new rectangle mill 3 0.2 at -4 0 moving spin 50 hidden; draw circle 1 at 0 0 colour gold layer -1;
 new particle 1 at 0 1;
+new rectangle belt 5 0.3 at 3 -4 conveyor 2; new rectangle ledge 3 0.2 at -2 2 oneWay; new circle eye 1 at 0 0 sensor;
+new circle ghost 0.3 at 5 5 physicsOn category 2 mask 5 group -1; new medium lake 6 2 at -6 -5 density 1.5 drag 2;
+new medium wind2 3 9 at 6 0 velocity 0 12 drag 1;
+after 2 { set belt conveyor -3; set ghost mask 1; set eye sensor off; set ledge oneWay off; }
 after 3 { set mill velocity 0 1; set ball at 0 3; set ball angle 45; set board size 30;
     repeat (floor(2.7)) { new circle 0.1; } }
 """

@@ -98,9 +98,9 @@ KINDS: Mapping[str, Kind] = {
             type="Medium",
             sizes=(Size(name="width"), Size(name="height")),
             needs=("drag",),
-            doc="An area of water, mud or thick air: what moves through it is slowed by its drag.",
+            doc="An area of water, wind or mud: it slows what is in it, lifts it by its density, and takes it along.",
             example="new medium pond 8 2 at 0 -3 drag 4;",
-            meant=("water", "mud", "liquid", "zone", "area"),
+            meant=("water", "mud", "liquid", "area", "lake", "pond"),
         ),
     )
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from evilengine.script.meeting import MEETING
 from evilengine.script.word import ANY, FRACTION, NOT_NEGATIVE, PLACE, SIZE, Property, Range
 
 BODY = ("body",)
@@ -121,6 +122,7 @@ PROPERTIES: tuple[Property, ...] = (
         example=_ON_BODY + "touchable;",
         meant=("draggable", "drag", "grab", "touch", "clickable"),
     ),
+    *MEETING,
     Property(
         word="density",
         takes="number",
@@ -344,6 +346,26 @@ PROPERTIES: tuple[Property, ...] = (
         doc="How strongly it holds back what moves through it: 0 is empty space, 4 is thick.",
         example="new medium 8 2 at 0 -3 drag 4;",
         meant=("thick", "viscosity"),
+    ),
+    Property(
+        word="density",
+        takes="number",
+        families=("medium",),
+        option="density",
+        range=Range(least=0.0, most=1e6),
+        doc="How strongly it lifts: as water at 1, so that what is less dense floats; not at all without it.",
+        example="new medium lake 8 2 at 0 -3 density 1 drag 4;",
+        meant=("buoyancy", "lift"),
+    ),
+    Property(
+        word="velocity",
+        takes="direction",
+        families=("medium",),
+        option="velocity",
+        range=Range(least=-1000.0, most=1000.0),
+        doc="How fast it moves itself to the right and up, in metres a second: wind, or a current.",
+        example="new medium draught 2 6 at 0 0 velocity 0 9 drag 2;",
+        meant=("speed", "wind", "flow", "current"),
     ),
     Property(
         word="at",
