@@ -50,6 +50,18 @@ def test_outlines_tell_the_kind_of_body(stage: Stage, kind: str, colour: tuple[i
     assert not sees(stage, (0.3, 0.8), colour)  # outside
 
 
+def test_sensors_and_media_have_colours_of_their_own(stage: Stage) -> None:
+    stage.scene.debug_view.sensor, stage.scene.debug_view.medium = "cyan", "magenta"
+    body = stage.add(evil.Rectangle(1, 1), kind="static", at=(-1, 0))
+    body.add_shape(evil.Rectangle(2, 2), sensor=True)
+    stage.world.add_force(evil.Medium((1, -1, 3, 1), density=1))
+    stage.world.add_force(evil.Medium(evil.Circle(0.3), at=(0.5, 0), body=body))
+    assert sees(stage, (-0.5, 0.2), BLUE)
+    assert sees(stage, (0, 0.6), CYAN)
+    assert sees(stage, (1, 0.5), MAGENTA)
+    assert sees(stage, (-0.5, 0.3), MAGENTA)
+
+
 def test_bodies_that_fell_asleep_have_another_colour(stage: Stage) -> None:
     stage.world.gravity = (0, -10)  # type: ignore[assignment]
     stage.add(evil.Rectangle(6, 1), at=(0, -1.5), kind="static")

@@ -159,10 +159,11 @@ std::shared_ptr<DrawList> collect_frame(SceneBox& box, const World& world, const
 
 std::tuple<std::uint32_t, std::uint32_t, std::uint32_t> debug_frame(SceneBox& box, const World& world,
                                                                     const Matrix6& view, double alpha, float points,
-                                                                    const std::array<Rgba8, 7>& colours,
+                                                                    const std::array<Rgba8, 9>& colours,
                                                                     bool velocities) {
     DebugLook look;
-    look.colours = {colours[0], colours[1], colours[2], colours[3], colours[4], colours[5], colours[6]};
+    look.colours = {colours[0], colours[1], colours[2], colours[3], colours[4],
+                    colours[5], colours[6], colours[7], colours[8]};
     look.points = points;
     look.velocities = velocities;
     const DebugCount count = draw_debug(overlay_of(box), world, to_affine(view), part_of_step(alpha), look);

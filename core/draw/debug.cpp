@@ -57,14 +57,41 @@ void draw_body(const Overlay& overlay, const World& world, std::uint32_t slot, c
     const Pose pose = between(world.previous[slot], world.present[slot], alpha);
     const Affine to_pixel = compose(view, affine(pose));
     const Rgba8 colour = colour_of(body, look.colours);
-    for (std::uint32_t s = body.first_shape; s != kNone; s = world.shapes.rows[s].next)
-        outline_shape(overlay, world, s, to_pixel, colour, kOutline * look.points);
+    for (std::uint32_t s = body.first_shape; s != kNone; s = world.shapes.rows[s].next) {
+        const bool sensor = world.shapes.rows[s].traits.sensor;
+        outline_shape(overlay, world, s, to_pixel, sensor ? look.colours.sensor : colour, kOutline * look.points);
+    }
     if (body.kind != BodyKind::dynamic) return;
     const Vec2 centre = transform(pose, body.local_centre);
     disc(overlay, apply(view, centre), 0.7f * kDot * look.points, look.colours.centre);
     if (look.velocities)
         arrow(overlay, apply(view, centre), apply(view, centre + kVelocity * body.velocity), kOutline * look.points,
               look.colours.velocity);
+}
+
+void draw_area(const Overlay& overlay, const Area& area, const Affine& view, const DebugLook& look) {
+    const float width = kOutline * look.points;
+    if (area.radius > 0.0f) {
+        const std::uint32_t mesh = add_circle(overlay.list, Vertex{}, area.radius);
+        const Affine to_pixel = compose(view, affine(Pose{area.centre, {}}));
+        if (is_finite(to_pixel))
+            overlay.list.instances.push_back({to_pixel, {}, mesh, kNoTexture, look.colours.medium, width});
+    }
+    for (const std::vector<Vec2>& part : area.parts)
+        for (std::size_t i = 0; i < part.size(); ++i)
+            line(overlay, apply(view, part[i]), apply(view, part[i + 1 < part.size() ? i + 1 : 0]), width,
+                 look.colours.medium);
+}
+
+void draw_media(const Overlay& overlay, const World& world, const Affine& view, float alpha, const DebugLook& look) {
+    for (std::uint32_t slot = 0; slot < world.forces.slots.size(); ++slot) {
+        if (!world.forces.slots.taken(slot) || world.forces.rows[slot].kind != ForceKind::medium) continue;
+        const std::uint32_t carrier = world.forces.rows[slot].target;
+        Affine to_pixel = view;
+        if (carrier != kNone)
+            to_pixel = compose(view, affine(between(world.previous[carrier], world.present[carrier], alpha)));
+        draw_area(overlay, world.forces.areas[slot], to_pixel, look);
+    }
 }
 
 void draw_contact(const Overlay& overlay, const World& world, const Contact& contact, const Affine& view,
@@ -83,6 +110,7 @@ void draw_contact(const Overlay& overlay, const World& world, const Contact& con
 DebugCount draw_debug(const Overlay& overlay, const World& world, const Affine& view, float alpha,
                       const DebugLook& look) {
     DebugCount count;
+    draw_media(overlay, world, view, alpha, look);
     for (std::uint32_t slot = 0; slot < world.bodies.slots.size(); ++slot) {
         if (!world.bodies.slots.taken(slot)) continue;
         draw_body(overlay, world, slot, view, alpha, look);

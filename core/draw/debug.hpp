@@ -8,6 +8,7 @@ namespace evil::draw {
 struct DebugColours {
     Rgba8 still, kinematic, awake, asleep; // outlines by what the body does
     Rgba8 contact, centre, velocity;
+    Rgba8 sensor, medium;
 };
 
 struct DebugLook {
@@ -20,7 +21,7 @@ struct DebugCount {
     std::uint32_t bodies = 0, asleep = 0, contacts = 0;
 };
 
-// Appends outlines, contact points with their normals, centres of mass and, if asked for, velocities.
+// Appends outlines of media and shapes, contact points with their normals, centres of mass and, if asked for, velocities.
 DebugCount draw_debug(const Overlay& overlay, const World& world, const Affine& view, float alpha,
                       const DebugLook& look);
 

@@ -14,9 +14,9 @@ for y in (-1.2, 1.2):  # balls are blown up through these and stay
 for x, y, width, height in ((0, -5.2, 20, 0.4), (4, -4, 0.4, 2), (-9, 0, 0.4, 10), (9, 0, 0.4, 10)):
     game.add(evil.Rectangle(width, height), at=(x, y), kind="static", colour="#2d3142")
 
-draught = game.world.add_force(evil.Medium((4.6, -5, 8.4, 0), velocity=(0, 9), linear=2))
+draught = game.world.add_force(evil.Medium((4.6, -5, 8.4, 0.9), velocity=(0, 7), linear=0.3))
 lake = game.world.add_force(evil.Medium((-9, -5, 4, -3.2), density=1, linear=2))
-game.draw(evil.Rectangle(3.8, 5), at=(6.5, -2.5), colour="#ffffff14", layer=-1)
+game.draw(evil.Rectangle(3.8, 5.9), at=(6.5, -2.05), colour="#ffffff14", layer=-1)
 game.draw(evil.Rectangle(13, 1.8), at=(-2.5, -4.1), colour="#277da1", layer=-1)
 surface = game.world.add(evil.Rectangle(13, 0.2), at=(-2.5, -3.3), kind="static", sensor=True)
 
@@ -35,7 +35,13 @@ def drop():
     if len(game.world.bodies) < 60:
         wood = evil.Rectangle(0.9, game.random.uniform(0.3, 0.7))
         game.add(wood, at=(-7, 5), density=0.4, colour="#f3722c", touchable=True)
-        game.add(evil.Circle(0.3), at=(6.5, -4), density=0.3, colour="#90be6d", touchable=True)
+        game.add(
+            evil.Circle(0.3),
+            at=(6.5 + game.random.uniform(-1.2, 1.2), -4),
+            density=0.3,
+            colour="#90be6d",
+            touchable=True,
+        )
 
 
 game.timer.every(1.2, drop)

@@ -35,6 +35,8 @@ class DebugView:
     contact: ColourLike = "#ff6b6b"
     centre: ColourLike = "#ffffff"
     velocity: ColourLike = "#6cc4ff"
+    sensor: ColourLike = "#ffb86c"
+    medium: ColourLike = "#3f8fd2"
     gravity: ColourLike = "#ffd75e"
     veil: ColourLike = "#0c1018b0"
     """Lies over the world and under the lines, so that they stand out whatever the colours below."""
@@ -54,7 +56,8 @@ class DebugView:
         scale: float,
     ) -> None:
         """Put it on top of the collected frame, seen through `view`; `screen` in pixels, `scale` of them a point."""
-        palette = (self.static, self.kinematic, self.awake, self.asleep, self.contact, self.centre, self.velocity)
+        bodies = (self.static, self.kinematic, self.awake, self.asleep)
+        palette = (*bodies, self.contact, self.centre, self.velocity, self.sensor, self.medium)
         core.box(0.0, 0.0, screen[0], screen[1], _packed(self.veil))
         counts = core.debug(world._core, view, alpha, scale, [_packed(one) for one in palette], self.velocities)
         self._draw_gravity(core, world.gravity, view, screen, scale)
