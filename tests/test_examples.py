@@ -176,3 +176,18 @@ def test_a_good_hand_builds_a_tower_and_a_bad_one_loses_its_hearts():
     assert (lost.hearts, lost.points) == (0, 0)
     assert again.hearts > 0
     assert again.somebody
+
+
+def test_the_hero_is_steered_over_the_hills_and_the_bear_after_a_tab():
+    def steer(game):
+        if game.world.steps == 0:
+            game.device.key("right", down=True)
+        if game.world.steps == 120:
+            game.device.key("tab", down=True)
+
+    stage = play("hero", 4, steer)
+    fox, bear = stage.game.world.characters
+    assert fox.velocity.x == 0, "it stands since the tab"
+    assert fox.position.x > -9
+    assert bear.velocity.x > 5
+    assert bear.position.x > -14
