@@ -30,7 +30,7 @@ from evilengine.values.errors import (
 from evilengine.values.image import Image
 from evilengine.values.vec2 import Vec2
 from evilengine.values.version import VERSION
-from evilengine.world import joints
+from evilengine.world import joints, soft
 from evilengine.world.body import Body, Shape
 from evilengine.world.character import Character
 from evilengine.world.contacts import Contact
@@ -88,6 +88,7 @@ __all__ = [
     "World",
     "joints",
     "math",
+    "soft",
 ]
 
 
