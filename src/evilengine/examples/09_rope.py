@@ -7,6 +7,8 @@ game.add_background("#10141f")
 world = game.world
 
 game.add(evil.Rectangle(20, 0.6), at=(0, -4.9), kind="static", colour="#2d3250")
+for side in (-1, 1):
+    game.add(evil.Rectangle(0.6, 12), at=(side * 9.8, 0), kind="static", colour="#2d3250")
 beam = game.add(evil.Rectangle(14, 0.4), at=(0, 4.6), kind="static", colour="#424769")
 rail = game.add(evil.Circle(0.5), at=(5.5, 1), kind="static", colour="#424769")
 
