@@ -36,18 +36,18 @@ for rung in range(11):
     game.draw(evil.Rectangle(0.8, 0.08), at=(23, 1.1 + 0.4 * rung), colour="#d9b779", layer=-1)
 game.draw(evil.Triangle((24.8, 5.1), (24.8, 6.8), (25.7, 6.3)), colour="#e4572e")
 
-gifts = {"ladders": [(22.6, 0.9, 23.4, 5.1)], "speed": 6}
-fox = game.add_character(at=(-18, 1), colour="#f26430", air_jumps=1, tag="fox", **gifts)
-bear = game.add_character(evil.Circle(0.6), at=(-20, 1), colour="#8a6a57", push_force=150, tag="bear", **gifts)
+fox = game.add_character(at=(-18, 1), colour="#f26430", air_jumps=1, speed=6, ladders=[(22.6, 0.9, 23.4, 5.1)])
+bear = game.add_character(evil.Circle(0.6), at=(-20, 1), colour="#8a6a57", push_force=150, ladders=fox.ladders)
 eyes = [game.draw(evil.Circle(0.1), body=who.body, colour="white", layer=3) for who in (fox, bear)]
-heroes, game.camera.position = [fox, bear], (-17, 2)
-game.drive(fox)
-game.on_key_press(lambda key: key == "tab" and (heroes.reverse(), game.drive(heroes[0])))
+heroes, game.camera.position = [bear, fox], (-17, 2)
 game.text("arrows walk and climb, space jumps, tab changes who you are", at=(0, 14), size=16, anchor="top")
 
 
 @game.on_update
 def look(dt):
+    if "tab" in game.inputs.pressed or not game.world.steps:
+        heroes.reverse()
+        game.drive(heroes[0])
     hero, camera = heroes[0], game.camera
     if hero.position.y < -9:  # it fell
         hero.position = (-18, 2)
