@@ -95,7 +95,7 @@ RayHit hit_at(const Scene& scene, const Found& found, Vec2 start, Vec2 end) {
 
 void by_creation(const Bodies& bodies, std::vector<std::uint32_t>& found) {
     std::ranges::sort(found, {}, [&](std::uint32_t body) { return bodies.rows[body].serial; });
-    found.erase(std::ranges::unique(found).begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
 // Does the ray start in another piece of the same shape? Then what it enters is a seam, not the shape.
