@@ -93,17 +93,17 @@ class Caller(RuleBasedStateMachine):
 
     def attempt(self, what: str, action: Callable[[], Any]) -> Any:
         before = self.world.checksum()
+        refused: Exception | None = None
         try:
             result = action()
-        except evil.Error as error:
-            assert str(error), what
-            assert self.world.checksum() == before, f"{what}: changed by what was refused: {error}"
-            return None
-        except (TypeError, AttributeError) as error:  # Python's own: arguments that are missing, what cannot be set
-            told = str(error)
+        except (evil.Error, TypeError, AttributeError) as error:
+            refused, result = error, None
+        if isinstance(refused, evil.Error):
+            assert str(refused), what
+            assert self.world.checksum() == before, f"{what}: changed by what was refused: {refused}"
+        elif refused is not None:  # Python's own: arguments that are missing, what cannot be set
             expected = ("argument", "no setter", "can't set", "has no attribute", "not callable", "read-only")
-            assert any(words in told for words in expected), f"{what}: {type(error).__name__}: {told}"
-            return None
+            assert any(each in str(refused) for each in expected), f"{what}: {type(refused).__name__}: {refused}"
         if isinstance(result, (evil.Body, evil.Shape, evil.Force)) and len(self.kept) < 60:
             self.kept.append(result)
         return result
