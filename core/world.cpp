@@ -16,11 +16,11 @@ void World::step(float dt, int substeps) {
     wake_islands(solver, bodies, contacts, joints, forces);
     find_buried(buried, contacts, bodies);
     apply_media(forces, bodies, shapes, gravity, dt, media);
-    solve(solver, bodies, contacts, joints, forces, gravity, {dt, substeps, instruction_set});
+    solve(solver, bodies, contacts, joints, forces, gravity, {dt, substeps, instruction_set}, threads);
     calm_buried(buried, bodies);
     stop_at_walls(solver.paths, bodies, shapes);
     break_joints(*this);
-    sleep_islands(solver, bodies, shapes, dt, sleep_allowed);
+    sleep_islands(solver, bodies, contacts, joints, forces, shapes, dt, sleep_allowed);
     find_events(events, contacts, shapes, bodies);
     ++steps;
     time += double(dt);

@@ -353,6 +353,17 @@ EVIL_INLINE float sum(Floats a) {
     return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
 }
 
+// The lower four lanes and the upper four change places.
+EVIL_INLINE Floats swap_fours(Floats a) {
+    Floats r;
+#if EVIL_WIDTH == 8
+    r.part[0] = _mm256_permute2f128_ps(a.part[0], a.part[0], 1);
+#else
+    for (int p = 0; p < native::kParts; ++p) r.part[p] = a.part[(p + native::kParts / 2) % native::kParts];
+#endif
+    return r;
+}
+
 // Two groups of four lanes, as columns of 4x4 matrices use them.
 EVIL_INLINE Floats load_four_twice(const float* from) {
 #if EVIL_WIDTH == 8

@@ -4,11 +4,9 @@
 
 namespace evil::EVIL_ISA {
 
-// Rows of eight floats, 32 bytes each and aligned to that: row numbers[i] of the table becomes lane i of field[0..7].
-EVIL_INLINE void load_rows(const float* table, const std::uint32_t* numbers, Floats field[8]) {
 #if EVIL_WIDTH == 8
-    __m256 r[8], t[8];
-    for (int i = 0; i < 8; ++i) r[i] = _mm256_load_ps(table + 8 * static_cast<std::size_t>(numbers[i]));
+EVIL_INLINE void transpose(__m256 r[8], Floats field[8]) {
+    __m256 t[8];
     for (int i = 0; i < 8; i += 2) {
         t[i] = _mm256_unpacklo_ps(r[i], r[i + 1]);
         t[i + 1] = _mm256_unpackhi_ps(r[i], r[i + 1]);
@@ -23,6 +21,15 @@ EVIL_INLINE void load_rows(const float* table, const std::uint32_t* numbers, Flo
         field[i].part[0] = _mm256_permute2f128_ps(r[i], r[i + 4], 0x20);
         field[i + 4].part[0] = _mm256_permute2f128_ps(r[i], r[i + 4], 0x31);
     }
+}
+#endif
+
+// Rows of eight floats, 32 bytes each and aligned to that: row numbers[i] of the table becomes lane i of field[0..7].
+EVIL_INLINE void load_rows(const float* table, const std::uint32_t* numbers, Floats field[8]) {
+#if EVIL_WIDTH == 8
+    __m256 r[8];
+    for (int i = 0; i < 8; ++i) r[i] = _mm256_load_ps(table + 8 * static_cast<std::size_t>(numbers[i]));
+    transpose(r, field);
 #else
     float lanes[8][kLanes];
     for (int i = 0; i < kLanes; ++i)
@@ -30,6 +37,28 @@ EVIL_INLINE void load_rows(const float* table, const std::uint32_t* numbers, Flo
             lanes[k][i] = table[8 * static_cast<std::size_t>(numbers[i]) + static_cast<std::size_t>(k)];
     for (int k = 0; k < 8; ++k) field[k] = load(lanes[k]);
 #endif
+}
+
+// Eight floats from each of eight places that need no alignment: those at rows[i] become lane i of field[0..7].
+EVIL_INLINE void load_rows_at(const float* const* rows, Floats field[8]) {
+#if EVIL_WIDTH == 8
+    __m256 r[8];
+    for (int i = 0; i < 8; ++i) r[i] = _mm256_loadu_ps(rows[i]);
+    transpose(r, field);
+#else
+    float lanes[8][kLanes];
+    for (int i = 0; i < kLanes; ++i)
+        for (int k = 0; k < 8; ++k) lanes[k][i] = rows[i][k];
+    for (int k = 0; k < 8; ++k) field[k] = load(lanes[k]);
+#endif
+}
+
+// Lane i of field[0..3] into the four floats at rows[i].
+EVIL_INLINE void store_half_rows_at(float* const* rows, const Floats field[4]) {
+    float lanes[4][kLanes];
+    for (int k = 0; k < 4; ++k) store(lanes[k], field[k]);
+    for (int i = 0; i < kLanes; ++i)
+        for (int k = 0; k < 4; ++k) rows[i][k] = lanes[k][i];
 }
 
 // Lane i of field[0..3] into the first four floats of row numbers[i]. Rows that come twice take the later lane.

@@ -35,11 +35,13 @@ void colour(Colouring& c, const std::vector<Edge>& edges, std::uint32_t bodies, 
         ++c.counts[colour];
     }
     c.next.resize(kAll); // in lanes: block times lanes plus lane
+    c.ranges.clear();
     std::uint32_t block = 0;
     for (std::uint32_t colour = 0; colour < kAll; ++colour) {
-        if (colour == kWalls) c.wall_blocks_from = block;
         c.next[colour] = block * lanes;
-        block += alone(colour) ? c.counts[colour] : (c.counts[colour] + lanes - 1) / lanes;
+        std::uint32_t count = alone(colour) ? c.counts[colour] : (c.counts[colour] + lanes - 1) / lanes;
+        if (count > 0) c.ranges.push_back({block, count, colour >= kWalls, alone(colour)});
+        block += count;
     }
     c.blocks = block;
     for (std::size_t i = 0; i < edges.size(); ++i) {

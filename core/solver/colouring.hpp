@@ -11,13 +11,22 @@ namespace evil {
 
 inline constexpr std::uint32_t kColours = 64; // of each sort; contacts beyond go one to a block
 
-struct Edge { // a contact by its solver bodies; `wall`: only one of them moves
+struct Edge { // a contact by its solver bodies; `wall`: only a moves
     std::uint32_t a, b;
     bool wall;
+    bool turn = false;         // the contact's own a and b have changed places
+    std::uint32_t contact = 0; // row that it comes from
+    friend bool operator==(const Edge&, const Edge&) = default;
 };
 
 struct Place {
     std::uint32_t block, lane;
+};
+
+struct BlockRange { // blocks of one colour
+    std::uint32_t first, count;
+    bool wall;
+    bool alone; // one contact to a block, and blocks may share bodies: one after the other
 };
 
 struct Colouring {                                       // Scratch
@@ -26,10 +35,11 @@ struct Colouring {                                       // Scratch
     std::vector<std::uint32_t> counts;                   // by colour
     std::vector<std::uint32_t> next;                     // by colour: where its next contact goes
     std::vector<Place> places;                           // by contact
-    std::uint32_t blocks = 0, wall_blocks_from = 0;
+    std::vector<BlockRange> ranges;                      // of colours that have blocks, in order
+    std::uint32_t blocks = 0;
 };
 
-// Where each contact goes: blocks in order of colour, walls from `wall_blocks_from` on.
+// Where each contact goes: blocks in order of colour, those at walls last.
 void colour(Colouring& colouring, const std::vector<Edge>& edges, std::uint32_t bodies, std::uint32_t lanes);
 
 } // namespace evil

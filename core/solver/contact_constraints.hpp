@@ -4,8 +4,13 @@
 
 namespace evil {
 
-void fill_blocks(Solver& solver, const Bodies& bodies, const Contacts& contacts, StepSize step);
-void apply_restitution(Solver& solver, StepSize step);
-void store_impulses(const Solver& solver, Contacts& contacts);
+struct ContactSoftnesses {
+    ContactSoftness between, walls;
+};
+ContactSoftnesses softness_of(StepSize step);
+
+void prepare_contacts(Solver& solver, const Bodies& bodies, const Contacts& contacts, StepSize step, Threads& threads);
+void apply_restitution(Solver& solver, const Contacts& contacts, StepSize step);
+void finish_contacts(Solver& solver, Contacts& contacts, StepSize step, Threads& threads);
 
 } // namespace evil

@@ -8,33 +8,54 @@ namespace {
 
 constexpr float kPushSpeed = 3.0f;    // m/s: the fastest that overlap is pushed out; more, and piles burst apart
 constexpr float kMostImpulse = 1e30f; // newton seconds: finite, whatever came in
+constexpr float kQuarterTurn = 1.5707964f;
 
-struct Body {
-    Floats vx, vy, spin, inv_mass, moved_x, moved_y, sine, inv_inertia;
+struct Row {
+    Floats vx, vy, spin, inv_mass, moved_x, moved_y, turned, inv_inertia;
 };
-static_assert(sizeof(Body) == 8 * sizeof(Floats));
 
 struct Ends { // the two bodies of eight contacts
-    Body a, b;
+    Row a, b;
 };
 
-EVIL_INLINE Body load_bodies(const SolverBody* bodies, const std::uint32_t* rows) {
+EVIL_INLINE Row load_bodies(const SolverBody* bodies, const std::uint32_t* rows) {
     Floats field[8];
     load_rows(&bodies->vx, rows, field);
     return {field[0], field[1], field[2], field[3], field[4], field[5], field[6], field[7]};
 }
 
-EVIL_INLINE void store_bodies(SolverBody* bodies, const std::uint32_t* rows, const Body& body) {
-    Floats field[4] = {body.vx, body.vy, body.spin, body.inv_mass};
+EVIL_INLINE void store_bodies(SolverBody* bodies, const std::uint32_t* rows, const Row& row) {
+    Floats field[4] = {row.vx, row.vy, row.spin, row.inv_mass};
     store_half_rows(&bodies->vx, rows, field);
 }
 
-EVIL_INLINE void apply(Ends& e, Floats nx, Floats ny, Floats along_n, Floats along_t) { // t = (ny, -nx); (4.9)
-    Floats px = along_n * nx + along_t * ny, py = along_n * ny - along_t * nx;
-    e.a.vx -= e.a.inv_mass * px;
-    e.a.vy -= e.a.inv_mass * py;
-    e.b.vx += e.b.inv_mass * px;
-    e.b.vy += e.b.inv_mass * py;
+template <bool wall> EVIL_INLINE void store_ends(SolverBody* bodies, const ContactBlock& k, const Ends& e) {
+    if (!wall) store_bodies(bodies, k.a, e.a);
+    store_bodies(bodies, k.b, e.b);
+}
+
+// How the contact lies now.
+struct Frame {
+    Floats nx, ny;           // t = (ny, -nx)
+    Floats parted;           // along the normal, since the step began
+    Floats apart_n, apart_t; // from the centre of b to that of a
+    Floats lag_n, lag_t;     // what the arms from b are shorter by
+};
+
+EVIL_INLINE Frame frame_of(const ContactBlock& k, const Ends& e) {
+    Floats nx = load(k.nx), ny = load(k.ny), lag = load(k.lag);
+    Floats x = e.b.moved_x - e.a.moved_x, y = e.b.moved_y - e.a.moved_y;
+    Floats n = x * nx + y * ny, t = x * ny - y * nx;
+    return {nx, ny, n, load(k.apart_n) - n, load(k.apart_t) - t, lag * n, lag * t};
+}
+
+struct Arms {
+    Floats an, at, bn, bt;
+};
+
+EVIL_INLINE Arms arms_of(const ContactBlock& k, const Frame& f, int point) {
+    Floats bn = load(k.arm_n[point]) - f.lag_n, bt = load(k.arm_t[point]) - f.lag_t;
+    return {bn - f.apart_n, bt - f.apart_t, bn, bt};
 }
 
 // Relative velocity along n and t, and what a unit impulse changes of it, by the bodies' masses.
@@ -42,113 +63,157 @@ struct Relative {
     Floats n, t, inv_mass;
 };
 
-EVIL_INLINE Relative relative(const Ends& e, Floats nx, Floats ny) {
+template <bool wall> EVIL_INLINE Relative relative(const Ends& e, const Frame& f) {
     Floats x = e.b.vx - e.a.vx, y = e.b.vy - e.a.vy;
-    return {x * nx + y * ny, x * ny - y * nx, e.a.inv_mass + e.b.inv_mass};
+    return {x * f.nx + y * f.ny, x * f.ny - y * f.nx, wall ? e.b.inv_mass : e.a.inv_mass + e.b.inv_mass};
 }
 
-EVIL_INLINE Floats cosine(Floats sine) { return sqrt(max(Floats(1.0f) - sine * sine, Floats(0.0f))); }
+template <bool wall> EVIL_INLINE void apply(Ends& e, const Frame& f, Floats along_n, Floats along_t) { // (4.9)
+    Floats px = along_n * f.nx + along_t * f.ny, py = along_n * f.ny - along_t * f.nx;
+    if (!wall) {
+        e.a.vx -= e.a.inv_mass * px;
+        e.a.vy -= e.a.inv_mass * py;
+    }
+    e.b.vx += e.b.inv_mass * px;
+    e.b.vy += e.b.inv_mass * py;
+}
 
-struct Turned { // how far the arms have moved along the normal since the step began
-    Floats moved, cos_a, cos_b;
+template <bool wall> EVIL_INLINE void turn_by_normal(Ends& e, const Arms& arm, Floats impulse) { // (4.10)
+    if (!wall) e.a.spin -= e.a.inv_inertia * (impulse * arm.at);
+    e.b.spin += e.b.inv_inertia * (impulse * arm.bt);
+}
+
+template <bool wall> EVIL_INLINE void turn_by_tangent(Ends& e, const Arms& arm, Floats impulse) {
+    if (!wall) e.a.spin += e.a.inv_inertia * (impulse * arm.an);
+    e.b.spin -= e.b.inv_inertia * (impulse * arm.bn);
+}
+
+struct Turn {
+    Floats sine, cosine_less_one;
 };
 
-EVIL_INLINE Turned turned(const Ends& e, Floats nx, Floats ny) {
-    Floats moved = (e.b.moved_x - e.a.moved_x) * nx + (e.b.moved_y - e.a.moved_y) * ny;
-    return {moved, cosine(e.a.sine), cosine(e.b.sine)};
+// To 2e-5 within half a radian, and sane up to a quarter turn: contacts only ask how far their points have moved.
+EVIL_INLINE Turn turn_of(Floats angle) {
+    Floats x = clamp(angle, Floats(-kQuarterTurn), Floats(kQuarterTurn)), x2 = x * x;
+    return {x + x * x2 * (x2 * (1.0f / 120.0f) - Floats(1.0f / 6.0f)), x2 * (x2 * (1.0f / 24.0f) - Floats(0.5f))};
 }
 
-EVIL_INLINE Floats separation(const BlockPoint& p, const Turned& t, const Ends& e) {
-    Floats b = t.cos_b * load(p.arm_bn) + e.b.sine * load(p.arm_bt);
-    Floats a = t.cos_a * load(p.arm_an) + e.a.sine * load(p.arm_at);
-    return load(p.base) + t.moved + (b - a);
+EVIL_INLINE Floats separation(Floats gap, const Frame& f, const Arms& arm, const Turn& a, const Turn& b) {
+    return gap + f.parted +
+           ((b.cosine_less_one * arm.bn + b.sine * arm.bt) - (a.cosine_less_one * arm.an + a.sine * arm.at));
 }
 
 // (4.8) with e = 0: a soft push while they overlap, and in advance of touching only what would make them overlap.
-template <bool soft>
-EVIL_INLINE Floats push_normal(BlockPoint& p, const ContactBlock& k, const Turned& t, Relative& v, Ends& e,
-                               Floats inv_h) {
-    Floats zero = 0.0f, at_a = load(p.arm_at), at_b = load(p.arm_bt), before = load(p.normal_impulse);
-    Floats gap = separation(p, t, e), bias = max(gap, zero) * inv_h, mass = load(p.normal_mass), leak = zero;
-    if (soft) {
+template <bool soften, bool wall>
+EVIL_INLINE Floats push_normal(ContactBlock& k, int point, const Arms& arm, Floats gap, Relative& v, Ends& e,
+                               Floats inv_h, const ContactSoftness& soft) {
+    Floats zero = 0.0f, before = load(k.normal_impulse[point]);
+    Floats bias = max(gap, zero) * inv_h, mass = load(k.normal_mass[point]), leak = zero;
+    if (soften) {
         Mask apart = gap > zero;
-        bias = select(apart, bias, max(Floats(k.bias_rate) * gap, Floats(-kPushSpeed)));
-        mass = select(apart, mass, mass * Floats(k.mass_scale));
-        leak = select(apart, zero, Floats(k.impulse_scale));
+        bias = select(apart, bias, max(Floats(soft.bias_rate) * gap, Floats(-kPushSpeed)));
+        mass = select(apart, mass, mass * Floats(soft.mass_scale));
+        leak = select(apart, zero, Floats(soft.impulse_scale) * before);
     }
-    Floats speed = v.n + e.b.spin * at_b - e.a.spin * at_a;
-    Floats after = min(max(before - mass * (speed + bias) - leak * before, zero), Floats(kMostImpulse));
+    Floats speed = v.n + (e.b.spin * arm.bt - e.a.spin * arm.at);
+    Floats after = min(max(before - mass * (speed + bias) - leak, zero), Floats(kMostImpulse));
     Floats impulse = after - before;
-    store(p.normal_impulse, after);
+    store(k.normal_impulse[point], after);
     v.n += v.inv_mass * impulse;
-    e.a.spin -= e.a.inv_inertia * impulse * at_a; // (4.10)
-    e.b.spin += e.b.inv_inertia * impulse * at_b;
+    turn_by_normal<wall>(e, arm, impulse);
     return impulse;
 }
 
 // Friction within Coulomb's cone, at rest and sliding (SPEC C5).
-EVIL_INLINE Floats push_tangent(BlockPoint& p, Floats friction, Floats surface_speed, Relative& v, Ends& e) {
-    Floats an = load(p.arm_an), bn = load(p.arm_bn), before = load(p.tangent_impulse);
-    Floats speed = v.t - e.b.spin * bn + e.a.spin * an - surface_speed;
-    Floats most = friction * load(p.normal_impulse);
-    Floats after = clamp(before - load(p.tangent_mass) * speed, -most, most);
+template <bool wall>
+EVIL_INLINE Floats push_tangent(ContactBlock& k, int point, const Arms& arm, Floats friction, Floats belt, Relative& v,
+                                Ends& e) {
+    Floats before = load(k.tangent_impulse[point]), most = friction * load(k.normal_impulse[point]);
+    Floats speed = v.t - (e.b.spin * arm.bn - e.a.spin * arm.an) - belt;
+    Floats after = clamp(before - load(k.tangent_mass[point]) * speed, -most, most);
     Floats impulse = after - before;
-    store(p.tangent_impulse, after);
+    store(k.tangent_impulse[point], after);
     v.t += v.inv_mass * impulse;
-    e.a.spin += e.a.inv_inertia * impulse * an;
-    e.b.spin -= e.b.inv_inertia * impulse * bn;
+    turn_by_tangent<wall>(e, arm, impulse);
     return impulse;
 }
 
-template <bool soft> EVIL_INLINE void solve(SolverBody* bodies, ContactBlock& k, Floats inv_h) {
-    Ends e{load_bodies(bodies, k.a), load_bodies(bodies, k.b)};
-    Floats nx = load(k.nx), ny = load(k.ny), friction = load(k.friction), belt = load(k.surface_speed);
-    Relative v = relative(e, nx, ny);
-    Turned t = turned(e, nx, ny);
-    Floats along_n = push_normal<soft>(k.points[0], k, t, v, e, inv_h);
-    along_n += push_normal<soft>(k.points[1], k, t, v, e, inv_h);
-    Floats along_t = push_tangent(k.points[0], friction, belt, v, e);
-    along_t += push_tangent(k.points[1], friction, belt, v, e);
-    apply(e, nx, ny, along_n, along_t);
-    store_bodies(bodies, k.a, e.a);
-    store_bodies(bodies, k.b, e.b);
+// Both passes need it: without friction in the first, what overlaps deepest squeezes its neighbours out sideways.
+template <bool wall> EVIL_INLINE Floats rub(ContactBlock& k, const Arms& p, const Arms& q, Relative& v, Ends& e) {
+    Floats friction = load(k.friction), belt = load(k.surface_speed);
+    Floats along_t = push_tangent<wall>(k, 0, p, friction, belt, v, e);
+    return along_t + push_tangent<wall>(k, 1, q, friction, belt, v, e);
 }
 
-EVIL_INLINE void add_up(BlockPoint& p) { store(p.total_impulse, load(p.total_impulse) + load(p.normal_impulse)); }
+template <bool wall>
+EVIL_INLINE void push_block(SolverBody* bodies, ContactBlock& k, Floats inv_h, const ContactSoftness& soft) {
+    Ends e{load_bodies(bodies, k.a), load_bodies(bodies, k.b)};
+    Frame f = frame_of(k, e);
+    Relative v = relative<wall>(e, f);
+    Turn ta = turn_of(e.a.turned), tb = turn_of(e.b.turned);
+    Arms p = arms_of(k, f, 0), q = arms_of(k, f, 1);
+    Floats along_n = push_normal<true, wall>(k, 0, p, separation(load(k.gap[0]), f, p, ta, tb), v, e, inv_h, soft);
+    along_n += push_normal<true, wall>(k, 1, q, separation(load(k.gap[1]), f, q, ta, tb), v, e, inv_h, soft);
+    apply<wall>(e, f, along_n, rub<wall>(k, p, q, v, e));
+    store_ends<wall>(bodies, k, e);
+}
 
-EVIL_INLINE void warm_point(const BlockPoint& p, Ends& e, Floats& along_n, Floats& along_t) {
-    Floats n = load(p.normal_impulse), t = load(p.tangent_impulse);
-    along_n += n;
-    along_t += t;
-    e.a.spin -= e.a.inv_inertia * (n * load(p.arm_at) - t * load(p.arm_an));
-    e.b.spin += e.b.inv_inertia * (n * load(p.arm_bt) - t * load(p.arm_bn));
+EVIL_INLINE void add_up(ContactBlock& k, int point) {
+    store(k.total_impulse[point], load(k.total_impulse[point]) + load(k.normal_impulse[point]));
+}
+
+template <bool wall> EVIL_INLINE void relax_block(SolverBody* bodies, ContactBlock& k, Floats inv_h) {
+    Ends e{load_bodies(bodies, k.a), load_bodies(bodies, k.b)};
+    Frame f = frame_of(k, e);
+    Relative v = relative<wall>(e, f);
+    Turn ta = turn_of(e.a.turned), tb = turn_of(e.b.turned);
+    Arms p = arms_of(k, f, 0), q = arms_of(k, f, 1);
+    ContactSoftness hard{};
+    Floats along_n = push_normal<false, wall>(k, 0, p, separation(load(k.gap[0]), f, p, ta, tb), v, e, inv_h, hard);
+    along_n += push_normal<false, wall>(k, 1, q, separation(load(k.gap[1]), f, q, ta, tb), v, e, inv_h, hard);
+    add_up(k, 0);
+    add_up(k, 1);
+    apply<wall>(e, f, along_n, rub<wall>(k, p, q, v, e));
+    store_ends<wall>(bodies, k, e);
+}
+
+template <bool wall> EVIL_INLINE void warm_block(SolverBody* bodies, ContactBlock& k) {
+    Ends e{load_bodies(bodies, k.a), load_bodies(bodies, k.b)};
+    Frame f = frame_of(k, e);
+    Floats along_n = 0.0f, along_t = 0.0f;
+    for (int point = 0; point < 2; ++point) {
+        Arms arm = arms_of(k, f, point);
+        Floats n = load(k.normal_impulse[point]), t = load(k.tangent_impulse[point]);
+        turn_by_normal<wall>(e, arm, n);
+        turn_by_tangent<wall>(e, arm, t);
+        along_n += n;
+        along_t += t;
+    }
+    apply<wall>(e, f, along_n, along_t);
+    store_ends<wall>(bodies, k, e);
 }
 
 } // namespace
 
-void warm_start(SolverBody* bodies, const ContactBlock* blocks, std::size_t count) noexcept {
-    for (std::size_t i = 0; i < count; ++i) {
-        const ContactBlock& k = blocks[i];
-        Ends e{load_bodies(bodies, k.a), load_bodies(bodies, k.b)};
-        Floats along_n = 0.0f, along_t = 0.0f;
-        warm_point(k.points[0], e, along_n, along_t);
-        warm_point(k.points[1], e, along_n, along_t);
-        apply(e, load(k.nx), load(k.ny), along_n, along_t);
-        store_bodies(bodies, k.a, e.a);
-        store_bodies(bodies, k.b, e.b);
-    }
+void warm_start(SolverBody* bodies, ContactBlock* blocks, std::size_t count) noexcept {
+    for (std::size_t i = 0; i < count; ++i) warm_block<false>(bodies, blocks[i]);
 }
-
-void push_apart(SolverBody* bodies, ContactBlock* blocks, std::size_t count, float inv_h) noexcept {
-    for (std::size_t i = 0; i < count; ++i) solve<true>(bodies, blocks[i], inv_h);
+void warm_start_walls(SolverBody* bodies, ContactBlock* blocks, std::size_t count) noexcept {
+    for (std::size_t i = 0; i < count; ++i) warm_block<true>(bodies, blocks[i]);
 }
-
+void push_apart(SolverBody* bodies, ContactBlock* blocks, std::size_t count, float inv_h,
+                ContactSoftness soft) noexcept {
+    for (std::size_t i = 0; i < count; ++i) push_block<false>(bodies, blocks[i], inv_h, soft);
+}
+void push_apart_walls(SolverBody* bodies, ContactBlock* blocks, std::size_t count, float inv_h,
+                      ContactSoftness soft) noexcept {
+    for (std::size_t i = 0; i < count; ++i) push_block<true>(bodies, blocks[i], inv_h, soft);
+}
 void relax(SolverBody* bodies, ContactBlock* blocks, std::size_t count, float inv_h) noexcept {
-    for (std::size_t i = 0; i < count; ++i) {
-        solve<false>(bodies, blocks[i], inv_h);
-        add_up(blocks[i].points[0]);
-        add_up(blocks[i].points[1]);
-    }
+    for (std::size_t i = 0; i < count; ++i) relax_block<false>(bodies, blocks[i], inv_h);
+}
+void relax_walls(SolverBody* bodies, ContactBlock* blocks, std::size_t count, float inv_h) noexcept {
+    for (std::size_t i = 0; i < count; ++i) relax_block<true>(bodies, blocks[i], inv_h);
 }
 
 } // namespace evil::EVIL_ISA

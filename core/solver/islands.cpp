@@ -42,6 +42,13 @@ void find_islands(Solver& solver, const Bodies& bodies, const Contacts& contacts
             if (dynamic(bodies, slot)) unite(island, forces.rows[i].target, slot);
     }
     for (std::uint32_t slot = 0; slot < island.size(); ++slot) island[slot] = root(island, slot);
+    solver.islands_known = true;
+}
+
+bool anyone_sleeps(const Bodies& bodies) {
+    for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot)
+        if (bodies.slots.taken(slot) && dynamic(bodies, slot) && !bodies.rows[slot].awake) return true;
+    return false;
 }
 
 float fastest_point(const Body& b, const Shapes& shapes) {
@@ -56,6 +63,8 @@ float fastest_point(const Body& b, const Shapes& shapes) {
 
 void wake_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, const Joints& joints,
                   const Forces& forces) {
+    solver.islands_known = false;
+    if (!anyone_sleeps(bodies)) return; // nobody to wake: whoever may fall asleep looks for the islands then
     find_islands(solver, bodies, contacts, joints, forces);
     solver.island_awake.assign(bodies.slots.size(), 0);
     for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot)
@@ -82,16 +91,24 @@ void wake_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, cons
     }
 }
 
-void sleep_islands(Solver& solver, Bodies& bodies, const Shapes& shapes, float dt, bool allowed) {
-    solver.island_still.assign(bodies.slots.size(), 1e30f);
+void sleep_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, const Joints& joints, const Forces& forces,
+                   const Shapes& shapes, float dt, bool allowed) {
+    float longest = 0.0f;
     for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
         Body& b = bodies.rows[slot];
         if (!bodies.slots.taken(slot) || !dynamic(bodies, slot) || !b.awake) continue;
         b.still_time = fastest_point(b, shapes) < kSleepSpeed ? std::min(b.still_time + dt, 1e3f) : 0.0f;
+        longest = std::max(longest, b.still_time);
+    }
+    if (!allowed || longest < kTimeToSleep) return;
+    if (!solver.islands_known) find_islands(solver, bodies, contacts, joints, forces);
+    solver.island_still.assign(bodies.slots.size(), 1e30f);
+    for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
+        const Body& b = bodies.rows[slot];
+        if (!bodies.slots.taken(slot) || !dynamic(bodies, slot) || !b.awake) continue;
         float& shortest = solver.island_still[solver.island_of[slot]];
         shortest = std::min(shortest, b.still_time);
     }
-    if (!allowed) return;
     for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
         Body& b = bodies.rows[slot];
         if (!bodies.slots.taken(slot) || !dynamic(bodies, slot) || !b.awake) continue;

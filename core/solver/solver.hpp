@@ -10,6 +10,7 @@
 #include "solver/colouring.hpp"
 #include "solver/contact_blocks.hpp"
 #include "solver/joints/joint_solver.hpp"
+#include "threads.hpp"
 
 namespace evil {
 
@@ -18,28 +19,27 @@ struct Start { // of a body's step
     double angle;
 };
 
-struct Bounce {            // what a contact's restitution needs to know of the time before the step
-    std::uint32_t contact; // row that it comes from
-    Place place;           // of its lane
+struct Bounce { // a contact with restitution
+    std::uint32_t edge;
     float restitution;
-    float closing_speed[2];
-    float gap[2];
     float gained_speed; // closing speed that the last step's acceleration alone has given (SPEC C7)
 };
 
 struct Solver { // Scratch
     std::vector<SolverBody> bodies;
+    std::vector<ForceStep> force_steps;    // of each solver body
     std::vector<Start> starts;             // of each solver body
     std::vector<std::uint32_t> body_slots; // of each solver body; [0] unused
     std::vector<Path> paths;               // of each solver body, for the walls
     std::vector<std::uint32_t> number_of;  // by body slot
-    std::vector<float> turned;             // of each solver body, radians since the step began
-    std::vector<Edge> edges;               // of each contact that is solved
-    std::vector<Bounce> bounces;           // of the same
-    Colouring colouring;
+    std::vector<Edge> edges, last_edges;   // of each contact that is solved
+    std::vector<Bounce> bounces;           // of those with restitution
+    Colouring colouring;                   // of the edges
     std::vector<ContactBlock> blocks;
+    std::vector<BlockSource> sources; // of the blocks
     JointSolver joints;
     std::vector<Push> pushes;               // by body slot
+    bool islands_known = false;             // in this step: they are only looked for when someone sleeps or may
     std::vector<std::uint32_t> island_of;   // by body slot: root of its island
     std::vector<float> island_still;        // by root: shortest still time
     std::vector<std::uint8_t> island_awake; // by root
@@ -54,10 +54,11 @@ struct StepSize {
 
 // Move all awake bodies by one step under forces, joints and contacts.
 void solve(Solver& solver, Bodies& bodies, Contacts& contacts, Joints& joints, const Forces& forces, Vec2 gravity,
-           StepSize step);
+           StepSize step, Threads& threads);
 
 // Islands: bodies joined by contacts, joints or springs. They wake together and sleep together.
 void wake_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, const Joints& joints, const Forces& forces);
-void sleep_islands(Solver& solver, Bodies& bodies, const Shapes& shapes, float dt, bool allowed);
+void sleep_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, const Joints& joints, const Forces& forces,
+                   const Shapes& shapes, float dt, bool allowed);
 
 } // namespace evil

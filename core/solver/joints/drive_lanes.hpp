@@ -9,7 +9,7 @@ namespace {
 constexpr float kMostImpulse = 1e30f; // newton seconds: finite, whatever came in
 
 struct Body {
-    Floats vx, vy, spin, inv_mass, moved_x, moved_y, sine, inv_inertia;
+    Floats vx, vy, spin, inv_mass, moved_x, moved_y, turned, inv_inertia;
 };
 static_assert(sizeof(Body) == 8 * sizeof(Floats));
 

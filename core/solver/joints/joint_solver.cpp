@@ -202,7 +202,7 @@ void sort_joints(Solver& solver, const Bodies& bodies, const Joints& joints) {
 
 JointTables tables(Solver& solver) {
     JointSolver& js = solver.joints;
-    return {solver.bodies.data(), solver.turned.data(), js.points.data(), js.points.size(), js.axes.data(),
+    return {solver.bodies.data(), js.points.data(), js.points.size(), js.axes.data(),
             js.axes.size(),       js.drives.data(),     js.softs.data(),  js.pass};
 }
 
@@ -235,7 +235,7 @@ void prepare_joints(Solver& solver, const Bodies& bodies, const Joints& joints, 
 
 void warm_start_joints(Solver& solver, InstructionSet set) {
     if (solver.joints.fresh) {
-        begin_lone(solver.joints.alone, solver.bodies, solver.turned);
+        begin_lone(solver.joints.alone, solver.bodies);
         EVIL_PICK(set, begin_joints)(tables(solver));
         solver.joints.fresh = false;
     }
@@ -249,7 +249,7 @@ void solve_joints(Solver& solver, InstructionSet set) {
 }
 
 void relax_joints(Solver& solver, InstructionSet set) {
-    calm_lone(solver.joints.alone, solver.bodies, solver.turned);
+    calm_lone(solver.joints.alone, solver.bodies);
     EVIL_PICK(set, calm_joints)(tables(solver));
 }
 

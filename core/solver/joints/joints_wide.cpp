@@ -55,11 +55,10 @@ EVIL_INLINE void push_point(const Arms& r, Ends& e, Floats x, Floats y) {
     push(e.b, 1.0f, x, y, r.b.x * y - r.b.y * x);
 }
 
-EVIL_INLINE Floats turned(const JointTables& t, const std::uint32_t* rows) { return gather(t.turned, load(rows)); }
 
 EVIL_INLINE void begin(const JointTables& t, PointBlock& k) {
     Ends e{load_bodies(t.bodies, k.a), load_bodies(t.bodies, k.b)};
-    Floats turned_a = turned(t, k.a), turned_b = turned(t, k.b);
+    Floats turned_a = e.a.turned, turned_b = e.b.turned;
     refresh(k, e, turned_a, turned_b);
     if (k.turn != kNoDrive) begin_turn(t.drives[k.turn], e, turned_b - turned_a);
 }
@@ -101,7 +100,7 @@ template <bool moving> EVIL_INLINE void solve(const JointTables& t, PointBlock& 
     if (moving) {
         r = arms_of(k);
     } else {
-        Floats turned_a = turned(t, k.a), turned_b = turned(t, k.b);
+        Floats turned_a = e.a.turned, turned_b = e.b.turned;
         turned_by = turned_b - turned_a;
         r = refresh(k, e, turned_a, turned_b);
     }
@@ -215,7 +214,7 @@ EVIL_INLINE void push_guide(const Way& w, Ends& e, Floats side, Floats turning) 
 
 EVIL_INLINE void begin(const JointTables& t, AxisBlock& k) {
     Ends e{load_bodies(t.bodies, k.a), load_bodies(t.bodies, k.b)};
-    Floats turned_a = turned(t, k.a), turned_b = turned(t, k.b), length;
+    Floats turned_a = e.a.turned, turned_b = e.b.turned, length;
     refresh(t, k, e, turned_a, turned_b, length);
     store(t.drives[k.along].value, length);
     if (k.turn != kNoDrive) begin_turn(t.drives[k.turn], e, turned_b - turned_a);
@@ -280,7 +279,7 @@ template <bool moving> EVIL_INLINE void solve(const JointTables& t, AxisBlock& k
         w = way_of(k);
         length = load(along.value);
     } else {
-        Floats turned_a = turned(t, k.a), turned_b = turned(t, k.b);
+        Floats turned_a = e.a.turned, turned_b = e.b.turned;
         turned_by = turned_b - turned_a;
         w = refresh(t, k, e, turned_a, turned_b, length);
     }

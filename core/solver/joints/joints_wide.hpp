@@ -7,7 +7,6 @@ namespace evil {
 
 struct JointTables { // what the kernels work on
     SolverBody* bodies;
-    const float* turned; // by row of bodies: radians since the step began
     PointBlock* points;
     std::size_t point_count;
     AxisBlock* axes;

@@ -90,12 +90,12 @@ LoneJoint lone_joint(const Joint& j, std::uint32_t slot, std::uint32_t row_a, st
     return k;
 }
 
-void begin_lone(std::span<LoneJoint> joints, std::span<SolverBody> bodies, std::span<const float> turned) {
+void begin_lone(std::span<LoneJoint> joints, std::span<SolverBody> bodies) {
     for (LoneJoint& k : joints) {
         if (k.pulley)
-            begin_pulley(k, bodies[k.a], bodies[k.b], turned[k.a], turned[k.b]);
+            begin_pulley(k, bodies[k.a], bodies[k.b], bodies[k.a].turned, bodies[k.b].turned);
         else
-            begin_gear(k, turned[k.a], turned[k.b]);
+            begin_gear(k, bodies[k.a].turned, bodies[k.b].turned);
         float inv_mass =
             inv_mass_of(bodies[k.a], k.ax, k.ay, k.turn_a) + inv_mass_of(bodies[k.b], k.bx, k.by, k.turn_b);
         k.mass = inv_mass > 0.0f && inv_mass < 1e38f ? 1.0f / inv_mass : 0.0f;
@@ -115,8 +115,8 @@ void move_lone(std::span<LoneJoint> joints, std::span<SolverBody> bodies, const 
     }
 }
 
-void calm_lone(std::span<LoneJoint> joints, std::span<SolverBody> bodies, std::span<const float> turned) {
-    begin_lone(joints, bodies, turned);
+void calm_lone(std::span<LoneJoint> joints, std::span<SolverBody> bodies) {
+    begin_lone(joints, bodies);
     for (LoneJoint& k : joints) {
         push(k, bodies, {}, 0.0f);
         k.total += k.impulse;

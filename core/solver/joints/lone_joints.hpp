@@ -8,9 +8,9 @@
 namespace evil {
 
 LoneJoint lone_joint(const Joint& joint, std::uint32_t slot, std::uint32_t a, std::uint32_t b, const Bodies& bodies);
-void begin_lone(std::span<LoneJoint> joints, std::span<SolverBody> bodies, std::span<const float> turned);
+void begin_lone(std::span<LoneJoint> joints, std::span<SolverBody> bodies);
 void warm_lone(std::span<LoneJoint> joints, std::span<SolverBody> bodies);
 void move_lone(std::span<LoneJoint> joints, std::span<SolverBody> bodies, const JointPass& pass);
-void calm_lone(std::span<LoneJoint> joints, std::span<SolverBody> bodies, std::span<const float> turned);
+void calm_lone(std::span<LoneJoint> joints, std::span<SolverBody> bodies);
 
 } // namespace evil
