@@ -26,13 +26,13 @@ struct alignas(32) ForceStep {
 //
 // Both bodies are pushed at one and the same point, also when they slide within the step: so no pair of impulses turns what
 // it does not turn in nature, and angular momentum is kept. The point goes along with the body whose corner or round side
-// it is; `lag` is the share of the sliding that moves it along the other one's arm.
+// it is; `lag` is the share of the sliding that moves it along the other one's arm. Between discs the normal turns instead.
 struct alignas(32) ContactBlock {
     std::uint32_t a[8], b[8]; // rows of bodies; 0 in lanes without a contact. What does not move is always a
     float nx[8], ny[8];       // normal from a to b
     float friction[8];
-    float surface_speed[8];                      // m/s along the tangent that friction works toward
-    float lag[8];                                // 0: the point stays with b, 1: with a
+    float surface_speed[8]; // m/s along the tangent that friction works toward
+    float lag[8];           // 0: the point stays with b, 1: with a; below 0: discs, less one over their radii's sum
     float apart_n[8], apart_t[8];                // from the centre of b to that of a: what the arms differ by
     float arm_n[2][8], arm_t[2][8];              // from the centre of b, for each of the two points
     float gap[2][8];                             // metres; negative: overlap

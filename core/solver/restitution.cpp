@@ -23,6 +23,7 @@ struct Impact {
     std::size_t lane;
     Vec2 normal;
     float arm_a[2], arm_b[2];
+    float past = 0.0f; // metres: how much less discs have closed in for going past each other
 
     float speed(std::size_t p) const {
         return dot(Vec2{b.vx - a.vx, b.vy - a.vy}, normal) + b.spin * arm_b[p] - a.spin * arm_a[p];
@@ -46,11 +47,16 @@ Impact impact_at(Solver& solver, Place place) {
     ContactBlock& k = solver.blocks[place.block];
     std::size_t i = place.lane;
     Vec2 n{k.nx[i], k.ny[i]};
-    Impact impact{solver.bodies[k.a[i]], solver.bodies[k.b[i]], k, i, n, {}, {}};
+    Impact impact{solver.bodies[k.a[i]], solver.bodies[k.b[i]], k, i, n, {}, {}, 0.0f};
     Vec2 moved{impact.b.moved_x - impact.a.moved_x, impact.b.moved_y - impact.a.moved_y};
-    float slid = dot(moved, right_of(n));
+    float curve = std::max(-k.lag[i], 0.0f), slid = dot(moved, right_of(n));
+    if (curve > 0.0f) { // two discs
+        impact.normal = normalised(n + curve * slid * right_of(n));
+        impact.past = curve * slid * slid;
+        slid = 0.0f;
+    }
     for (std::size_t p = 0; p < 2; ++p) {
-        impact.arm_b[p] = k.arm_t[p][i] - k.lag[i] * slid;
+        impact.arm_b[p] = k.arm_t[p][i] - std::max(k.lag[i], 0.0f) * slid;
         impact.arm_a[p] = impact.arm_b[p] - (k.apart_t[i] - slid);
     }
     return impact;
@@ -87,7 +93,8 @@ void apply_restitution(Solver& solver, const Contacts& contacts, StepSize step) 
         for (std::uint8_t p = 0; p < count; ++p) {
             float closing = solver.sources[place.block].closing_speed[p][place.lane];
             bounces[p] = k.total_impulse[p][place.lane] != 0.0f && closing - bounce.gained_speed > kRestitutionSpeed;
-            outward[p] = bounce_speed(bounce, closing, k.gap[p][place.lane], step);
+            outward[p] =
+                bounce_speed(bounce, std::max(closing - impact.past / step.dt, 0.0f), k.gap[p][place.lane], step);
         }
         if (bounces[0] && bounces[1] && bounce_both(impact, outward)) continue;
         for (std::size_t p = 0; p < 2; ++p) {

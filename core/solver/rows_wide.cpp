@@ -54,6 +54,10 @@ EVIL_INLINE void fill_point(ContactBlock& k, BlockSource& from, int point, const
     if (point == 0) {
         store(k.apart_n, bn - an);
         store(k.apart_t, bt - at);
+        Floats small = 1e-3f; // of an arm: it leads along the normal, so each is a disc about its body's centre
+        Mask discs = (bn < zero) & (zero < an) & (abs(at) <= small * an) & (abs(bt) <= -small * bn);
+        discs = discs & (load(k.lag) == Floats(0.5f)) & (p[4] < 0.5f * (an - bn));
+        store(k.lag, select(discs, Floats(-1.0f) / select(discs, (an - bn) - p[4], Floats(1.0f)), load(k.lag)));
     }
     store(k.gap[point], select(there, p[4], zero));
     store(k.normal_mass[point], select(there, effective_mass(s, at, bt), zero));
