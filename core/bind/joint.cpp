@@ -27,7 +27,8 @@ template <auto Field, class C> void bind_field(nb::class_<C>& c, const char* nam
         });
 }
 
-template <JointDrive Joint::* Which, auto Field, class C> void bind_drive_field(nb::class_<C>& c, const std::string& name) {
+template <JointDrive Joint::* Which, auto Field, class C>
+void bind_drive_field(nb::class_<C>& c, const std::string& name) {
     using Value = std::remove_reference_t<decltype(std::declval<JointDrive>().*Field)>;
     c.def_prop_rw(
         name.c_str(), [](const C& h) { return (fields(h).*Which).*Field; },

@@ -42,19 +42,25 @@ struct Frame {
     Floats lag_n, lag_t;     // what the arms from b are shorter by
 };
 
+// Masses are those of the arms at the start of the step: an arm may change by half its length, or pushes would overshoot.
+EVIL_INLINE Floats longest_slide(const ContactBlock& k) {
+    Floats bn = load(k.arm_n[0]);
+    return Floats(0.5f) * min(abs(bn), abs(bn - load(k.apart_n)));
+}
+
 EVIL_INLINE Frame frame_of(const ContactBlock& k, const Ends& e) {
     Floats nx = load(k.nx), ny = load(k.ny), follow = load(k.lag), zero = 0.0f, lag = max(follow, zero);
-    Floats apart_n = load(k.apart_n), apart_t = load(k.apart_t);
-    Floats x = e.b.moved_x - e.a.moved_x, y = e.b.moved_y - e.a.moved_y;
-    Floats n = x * nx + y * ny, t = x * ny - y * nx;
-    Frame f{nx, ny, n, apart_n - n, apart_t - t, lag * n, lag * t};
+    Floats apart_n = load(k.apart_n), apart_t = load(k.apart_t), most = longest_slide(k);
+    Floats x = e.b.moved_x - e.a.moved_x, y = e.b.moved_y - e.a.moved_y, parted = x * nx + y * ny;
+    Floats n = clamp(parted, -most, most), t = clamp(x * ny - y * nx, -most, most);
+    Frame f{nx, ny, parted, apart_n - n, apart_t - t, lag * n, lag * t};
     Mask discs = follow < zero;
     if (!any(discs)) return f;
     Floats turn = max(-follow, zero) * t; // the normal goes along with the line of their centres, and the arms with it
     Floats shrink = Floats(1.0f) - Floats(0.5f) * (turn * turn);
     return {shrink * (nx + turn * ny),
             shrink * (ny - turn * nx),
-            n + Floats(0.5f) * (turn * t),
+            parted + Floats(0.5f) * (turn * t),
             select(discs, apart_n, f.apart_n),
             select(discs, apart_t, f.apart_t),
             f.lag_n,

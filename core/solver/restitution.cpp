@@ -49,8 +49,10 @@ Impact impact_at(Solver& solver, Place place) {
     Vec2 n{k.nx[i], k.ny[i]};
     Impact impact{solver.bodies[k.a[i]], solver.bodies[k.b[i]], k, i, n, {}, {}, 0.0f};
     Vec2 moved{impact.b.moved_x - impact.a.moved_x, impact.b.moved_y - impact.a.moved_y};
-    float curve = std::max(-k.lag[i], 0.0f), slid = dot(moved, right_of(n));
-    if (curve > 0.0f) { // two discs
+    float curve = std::max(-k.lag[i], 0.0f),
+          most = 0.5f * std::min(std::abs(k.arm_n[0][i]), std::abs(k.arm_n[0][i] - k.apart_n[i]));
+    float slid = clamped(dot(moved, right_of(n)), most); // as in contacts_wide.cpp
+    if (curve > 0.0f) {                                  // two discs
         impact.normal = normalised(n + curve * slid * right_of(n));
         impact.past = curve * slid * slid;
         slid = 0.0f;

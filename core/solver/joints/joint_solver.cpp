@@ -203,7 +203,7 @@ void sort_joints(Solver& solver, const Bodies& bodies, const Joints& joints) {
 JointTables tables(Solver& solver) {
     JointSolver& js = solver.joints;
     return {solver.bodies.data(), js.points.data(), js.points.size(), js.axes.data(),
-            js.axes.size(),       js.drives.data(),     js.softs.data(),  js.pass};
+            js.axes.size(),       js.drives.data(), js.softs.data(),  js.pass};
 }
 
 // ---- at the end of the step ----

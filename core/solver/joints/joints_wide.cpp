@@ -55,7 +55,6 @@ EVIL_INLINE void push_point(const Arms& r, Ends& e, Floats x, Floats y) {
     push(e.b, 1.0f, x, y, r.b.x * y - r.b.y * x);
 }
 
-
 EVIL_INLINE void begin(const JointTables& t, PointBlock& k) {
     Ends e{load_bodies(t.bodies, k.a), load_bodies(t.bodies, k.b)};
     Floats turned_a = e.a.turned, turned_b = e.b.turned;
