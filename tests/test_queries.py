@@ -215,6 +215,17 @@ def test_the_answer_is_the_same_with_every_instruction_set() -> None:
     assert len(answers) == 1
 
 
+def test_many_rays_are_the_same_on_any_number_of_threads() -> None:
+    ends = [(30 * math.cos(0.002 * i), 30 * math.sin(0.002 * i)) for i in range(3000)]
+    answers = set()
+    for threads in (1, 2, 4):
+        world = evil.World(threads=threads)
+        world.restore(crowd(12, 200, size=20).snapshot())
+        hits = world.ray_casts((0.1, 0.2), ends)
+        answers.add((bytes(hits.points), bytes(hits.normals), bytes(hits.bodies)))
+    assert len(answers) == 1
+
+
 def test_two_at_the_same_place_are_told_by_who_came_first() -> None:
     world = evil.World()
     for _ in range(3):  # slots are used again, creation goes on

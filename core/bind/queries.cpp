@@ -89,13 +89,15 @@ Hits* cast_rays(World& w, nb::handle owner, nb::handle starts, nb::handle ends, 
     Asked asked(kinds, mask, ignored);
     Scene scene = w.scene();
     auto hits = std::make_unique<Hits>(nb::borrow(owner), n);
-    for (std::size_t i = 0; i < n; ++i) {
-        std::optional<RayHit> hit = ray_cast(scene, s.at(i), e.at(i), asked.filter);
-        if (hit)
-            hits->set(w, i, hit->body, hit->shape, hit->point, hit->normal, hit->fraction);
-        else
-            hits->points[i] = e.at(i), hits->values[i] = 1.0f;
-    }
+    parallel_for(w.threads, n, 256, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            std::optional<RayHit> hit = ray_cast(scene, s.at(i), e.at(i), asked.filter);
+            if (hit)
+                hits->set(w, i, hit->body, hit->shape, hit->point, hit->normal, hit->fraction);
+            else
+                hits->points[i] = e.at(i), hits->values[i] = 1.0f;
+        }
+    });
     return hits.release();
 }
 
