@@ -73,8 +73,10 @@ def test_equal_masses_swap_their_velocities_when_nothing_is_lost(kind):
 @pytest.mark.parametrize("offset", [0.0, 0.3, 0.6, 0.9])
 @pytest.mark.parametrize("restitution", [0.0, 0.5, 1.0])
 def test_a_glancing_hit_pushes_and_turns_as_the_formulas_say(offset, restitution):
-    """Two smooth discs that meet off the line of their centres, as (4.8) and (4.9); in fine steps, as the contact's normal
-    is that of the step's start."""
+    """Two smooth discs that meet off the line of their centres, as (4.8) and (4.9).
+
+    In fine steps, as the normal that the contact tells is that of the step's start.
+    """
     world = evil.World(gravity=(0, 0))
     look = {"friction": 0, "restitution": restitution}
     a = world.add(evil.Circle(0.5), at=(-2, 0), velocity=(5, 0), mass=2, **look)
