@@ -18,7 +18,7 @@ void World::step(float dt, int substeps) {
     apply_media(forces, bodies, shapes, gravity, dt, media);
     solve(solver, bodies, contacts, joints, forces, gravity, {dt, substeps, instruction_set}, threads);
     calm_buried(buried, bodies);
-    stop_at_walls(solver.paths, bodies, shapes);
+    stop_in_time(continuous, solver.paths, placed, bodies, shapes, joints);
     break_joints(*this);
     sleep_islands(solver, bodies, contacts, joints, forces, shapes, dt, sleep_allowed);
     find_events(events, contacts, shapes, bodies);

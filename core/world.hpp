@@ -3,6 +3,7 @@
 #include "character/character.hpp"
 #include "collider/broad_phase.hpp"
 #include "collider/contacts.hpp"
+#include "collider/continuous.hpp"
 #include "collider/events.hpp"
 #include "collider/seams.hpp"
 #include "collider/search.hpp"
@@ -53,6 +54,7 @@ struct World {
     Placements placed;
     BroadPhase broad;
     Seams seams;
+    Continuous continuous;
     MediaScratch media;
     Solver solver;
     Buried buried;

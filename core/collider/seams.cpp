@@ -111,6 +111,7 @@ void gather(Seams& seams, const Contacts& contacts, const Shapes& shapes, const 
         const Contact& c = contacts.rows[row];
         if (c.sensor || c.passage == Passage::passing) continue; // there is nothing solid
         bool of_a = shapes.neighboured[c.piece_a] != 0, of_b = shapes.neighboured[c.piece_b] != 0;
+        if (c.sensor || (c.one_way && c.count == 0)) continue; // nothing solid: what is let through covers nothing
         if (!(of_a || of_b)) continue; // those without points count too: what they cover, nobody can touch
         if (of_b) add_side(seams, row, c.piece_a, bodies.rows[c.body_b], c.body_b, true);
         if (of_a) add_side(seams, row, c.piece_b, bodies.rows[c.body_a], c.body_a, false);

@@ -140,7 +140,7 @@ void clear_gathered_forces(Bodies& bodies) { // also of what does not move: it m
 void note_paths(Solver& solver) {
     solver.paths.clear();
     for (std::size_t i = 1; i < solver.bodies.size(); ++i)
-        solver.paths.push_back({solver.body_slots[i], solver.starts[i].centre});
+        solver.paths.push_back({solver.body_slots[i], solver.starts[i].centre, solver.starts[i].angle});
 }
 
 } // namespace

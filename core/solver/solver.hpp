@@ -4,7 +4,8 @@
 // Catto, "Solver2D" (2024), https://box2d.org/posts/2024/02/solver2d/: "Soft Step". Each substep integrates velocities,
 // starts from the last impulses, solves with a soft push out of overlap, moves the bodies, then solves again without
 // the push so that it leaves no velocity behind. Contacts are coloured and solved eight at a time (contacts_wide.cpp).
-#include "collider/continuous.hpp"
+#include "collider/contact.hpp"
+#include "collider/path.hpp"
 #include "forces/forces.hpp"
 #include "math/cpu.hpp"
 #include "solver/colouring.hpp"
