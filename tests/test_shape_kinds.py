@@ -85,7 +85,9 @@ def test_lines_weigh_as_rods_a_centimetre_thick() -> None:
 )
 def test_each_kind_rests_flat_on_each_ground(shape: ShapeDefinition, height: float, ground: ShapeDefinition) -> None:
     body = rests(shape, ground, (0.4, 2 + height))
-    assert body.position.y == pytest.approx(1 + height, abs=0.006)
+    bare = (evil.Segment, evil.Chain)  # two lines without thickness keep a centimetre apart, or neither would be on top
+    gap = 0.01 if isinstance(shape, bare) and isinstance(ground, bare) else 0.0
+    assert body.position.y == pytest.approx(1 + height + gap, abs=0.006)
     assert body.angle == pytest.approx(0, abs=0.002)
     assert not body.awake
 

@@ -21,6 +21,13 @@ float depth_in(const Shapes& shapes, const Piece& piece, Vec2 point) {
     return inside + piece.radius;
 }
 
+Vec2 middle_of(const Shapes& shapes, const Piece& piece) { // surely inside
+    if (piece.count == 0) return piece.centre;
+    Vec2 sum;
+    for (Vec2 point : points_of(shapes, piece)) sum += point;
+    return (1.0f / static_cast<float>(piece.count)) * sum;
+}
+
 struct Extent {
     float inner = 1e30f; // the least depth of a piece's middle
     float reach = 0.0f;  // from the centre of mass to the farthest point
@@ -32,7 +39,7 @@ Extent extent_of(const Body& body, const Shapes& shapes) {
         if (shapes.rows[s].traits.sensor) continue;
         for (std::uint32_t p = shapes.rows[s].first_piece; p != kNone; p = shapes.pieces[p].next) {
             const Piece& piece = shapes.pieces[p];
-            e.inner = std::min(e.inner, depth_in(shapes, piece, piece.centre));
+            e.inner = std::min(e.inner, depth_in(shapes, piece, middle_of(shapes, piece)));
             e.reach = std::max(e.reach, length(piece.centre - body.local_centre) + piece.reach);
         }
     }
@@ -85,7 +92,8 @@ void note_motions(Continuous& c, std::span<const Path> paths, const Bodies& bodi
 
 // Its corners moved in, or drawn toward the middle where an edge is too short for that.
 Proxy core_of(Continuous& c, const Shapes& shapes, const Piece& piece) {
-    float inner = depth_in(shapes, piece, piece.centre), sunk = std::min(kSunk, 0.5f * inner);
+    Vec2 middle = middle_of(shapes, piece);
+    float inner = depth_in(shapes, piece, middle), sunk = std::min(kSunk, 0.5f * inner);
     Proxy whole = proxy_of(shapes, piece);
     float off_skin = std::min(sunk, whole.radius), in = sunk - off_skin;
     whole.radius -= off_skin;
@@ -103,7 +111,7 @@ Proxy core_of(Continuous& c, const Shapes& shapes, const Piece& piece) {
         flipped = flipped || !(dot(c.core[j] - c.core[i], points[j] - points[i]) > 0.0f);
     }
     if (flipped)
-        for (std::size_t i = 0; i < n; ++i) c.core[i] = points[i] - (in / inner) * (points[i] - piece.centre);
+        for (std::size_t i = 0; i < n; ++i) c.core[i] = points[i] - (in / inner) * (points[i] - middle);
     return {c.core, whole.radius};
 }
 
@@ -156,7 +164,8 @@ Impact meet(const Continuous& c, const Proxy& core, const Piece& piece, const Sh
             double end, std::uint32_t wall_piece, const Bodies& bodies) {
     const Piece& wall = shapes.pieces[wall_piece];
     const Body& other = bodies.rows[wall.body];
-    Proxy solid = proxy_of(shapes, wall), middle{{&piece.centre, 1}, 0.0f};
+    Vec2 at = middle_of(shapes, piece);
+    Proxy solid = proxy_of(shapes, wall), middle{{&at, 1}, 0.0f};
     double gap = std::min(double{kGap}, 0.1 * double{piece.reach});
     Impact hit = cast_against(c, core, motion, end, solid, other, wall.body, gap);
     if (hit.state == Meeting::overlap) {

@@ -37,6 +37,13 @@ Best best_edge(const Placed& face, const Placed& other, const Pose& to_other, fl
     return best;
 }
 
+// Two lines without a skin keep apart by twice the slop: with none, one that rests on the other would lie as much below it.
+float skins_of(const Placed& a, const Placed& b) {
+    float skins = a.piece.radius + b.piece.radius;
+    bool bare = a.piece.count == 2 && b.piece.count == 2 && skins == 0.0f;
+    return bare ? 2.0f * kSlop : skins;
+}
+
 // Clip the incident edge of `other` against the sides of reference edge `e` of `face`, and keep what is near the face.
 //
 //            side |            | side
@@ -74,7 +81,7 @@ ManifoldSketch clip(const Placed& face, std::uint32_t e, const Placed& other, fl
     Vec2 c1 = t1 < low && t2 > t1 ? lerp(w1, w2, (low - t1) / (t2 - t1)) : w1;
     Vec2 c2 = t2 > high && t2 > t1 ? lerp(w1, w2, (high - t1) / (t2 - t1)) : w2;
     std::uint32_t id = (flipped ? 0x80000000u : 0u) | (e & 0x3fffu) << 17 | (incident & 0x3fffu) << 3;
-    float skins = face.piece.radius + other.piece.radius;
+    float skins = skins_of(face, other);
     auto keep = [&](Vec2 c, std::uint32_t which) {
         float s = dot(n, c - v1);
         if (s - skins > margin) return;
@@ -148,7 +155,7 @@ ManifoldSketch collide_rounded(const Placed& a, const Placed& b, float margin, f
 
 ManifoldSketch collide_polygons(const Placed& a, const Placed& b, float margin, Axis& axis) {
     Pose a_in_b = relative(b.pose, a.pose), b_in_a = relative(a.pose, b.pose);
-    float skins = a.piece.radius + b.piece.radius, clip_margin = margin;
+    float skins = skins_of(a, b), clip_margin = margin;
     margin += skins;  // from here on distances are the cores'
     if (axis.known) { // most pairs that were apart are kept apart by the same axis still
         const Placed &face = axis.of_b ? b : a, &other = axis.of_b ? a : b;
@@ -174,7 +181,8 @@ ManifoldSketch collide_polygons(const Placed& a, const Placed& b, float margin, 
     };
     bool lines = a.piece.count == 2 && b.piece.count == 2; // behind one another they are apart along no edge's normal
     float apart = std::max(of_a.separation, of_b.separation);
-    if (skins == 0.0f || (apart <= 0.0f && !lines)) return flat();
+    bool bare = a.piece.radius + b.piece.radius == 0.0f;
+    if (bare || (apart <= 0.0f && !lines)) return flat();
     return collide_rounded(a, b, clip_margin, apart, flat);
 }
 
