@@ -113,7 +113,7 @@ void read_payload(Reader& ar, SavedState& s) {
     visit(ar, s.contacts.rows);
     visit(ar, s.events.hit_speed, s.events.lost);
     visit(ar, s.characters.rows);
-    read_made(ar, s);
+    if (ar.ok) read_made(ar, s); // else the tables are not as long as they say
     ar.ok = ar.ok && ar.at_end();
 }
 
