@@ -230,7 +230,7 @@ bool step_up(Turn& t, const Pose& from, Vec2 path) {
 
 // ---- the ground -----------------------------------------------------------------------------------------------------
 
-constexpr float kRestless = 1e-3f; // m/s that the solver may leave to a body at rest: it moves nowhere by it
+constexpr float kRestless = 2e-3f; // m/s that the solver may leave to a body at rest: it moves nowhere by it
 
 // What carries whoever stands on it: of a body that others move, nothing down, for it might stop.
 Vec2 carrying(Vec2 velocity, BodyKind kind, Vec2 normal) {
