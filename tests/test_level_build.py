@@ -142,9 +142,9 @@ def test_names_of_one_round_are_not_those_of_another() -> None:
 
 def test_destroying_and_changing_what_is_gone_does_nothing() -> None:
     text = """
-    new circle ball 0.5 physicsOn; new spring rope from ball to 0 3; text label "x" at 0 0;
+    new circle ball 0.5 physicsOn; new spring cord from ball to 0 3; text label "x" at 0 0;
     destroy ball; destroy ball; set ball velocity 1 0; impulse ball 1 0; new spring from ball to 0 1;
-    destroy rope; destroy label; destroy label; set label size 20; on collide ball { tilt off; }
+    destroy cord; destroy label; destroy label; set label size 20; on collide ball { tilt off; }
     """
     game, built = play(text, 10)
     assert len(game.world.bodies) == 0

@@ -46,8 +46,8 @@ every 0.5 times 10 as k {
 }
 every 0.7 { set lives (lives - 0.5); if (lives < 0) { gravity 0 (random(-9, 9)); } }
 on key "space" { impulse ball 0 6; } on shake { gravity 0 5; } on touch { set score 0; }
-new spring rope from ball to class stiffness 30 length 1 damping 0.3;
-on separate ball { destroy rope; new spring rope2 from ball to class; destroy rope2; }
+new spring cord from ball to class stiffness 30 length 1 damping 0.3;
+on separate ball { destroy cord; new spring cord2 from ball to class; destroy cord2; }
 new force wind 1 0 for ball class; new drag 0.2; new medium 4 2 at 0 -3 drag 4; destroy wind; destroy class;
 new polygon rock -0.5 -0.5, 0.5 -0.4, 0 0.6 at -3 2 physicsOn angle 33.3 spin -120 mass 2 damping 0.9 spinDamping 0.5;
 new rectangle mill 3 0.2 at -4 0 moving spin 50 hidden; draw circle 1 at 0 0 colour gold layer -1;

@@ -196,6 +196,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
         things: dict[str, Callable[[int], Any]] = {
             "body": game.world._body,
             "force": game.world._forces.__getitem__,
+            "joint": game.world._joints.__getitem__,
             "drawing": scene.drawing,
             "text": scene.text,
             "event": waiting.__getitem__,

@@ -24,6 +24,7 @@ from evilengine.values import level as commands
 from evilengine.values.diagnostics import level_error
 from evilengine.values.errors import ArgumentError, Error, LevelError
 from evilengine.values.level import Area, Block, Called, Corners, LevelScript, Make, Number, Pair, Tagged
+from evilengine.world import joints
 from evilengine.world.body import Body
 from evilengine.world.forces import ConstantForce, Drag, Spring
 from evilengine.world.media import Medium
@@ -40,6 +41,7 @@ TYPES: dict[str, Callable[..., Any]] = {
     each.__name__: each
     for each in (Circle, Rectangle, Triangle, Polygon, Particle, Spring, ConstantForce, Drag, Medium)
 }
+TYPES |= {f"joints.{each.__name__}": each for each in joints.KINDS.values()}
 """What a level can make, by the names that its commands use."""
 
 _LOOKS = frozenset({"colour", "texture", "layer", "visible"})
@@ -59,7 +61,15 @@ def build(level: LevelScript, target: Game | World) -> Level:
 
 
 _RULES = (commands.OnContact, commands.OnTouch, commands.OnKey, commands.OnShake)
-_COUNTED = (*_RULES, commands.AddForce, commands.AddDrawing, commands.AddText, commands.After, commands.Every)
+_COUNTED = (
+    *_RULES,
+    commands.AddForce,
+    commands.AddJoint,
+    commands.AddDrawing,
+    commands.AddText,
+    commands.After,
+    commands.Every,
+)
 
 
 class Level:
@@ -163,6 +173,8 @@ class Level:
                 self._add_body(command, scope)
             case commands.AddForce():
                 self._add_force(command, scope)
+            case commands.AddJoint():
+                self._add_joint(command, scope)
             case commands.SetGravity(gravity=gravity):
                 before, self.world.gravity = self.world.gravity, self._pair(gravity, scope)
                 self._on_failure(lambda: setattr(self.world, "gravity", before))
@@ -305,6 +317,11 @@ class Level:
             return  # what it would act on is gone
         force = self.world.add_force(self._made(command.force, scope), bodies or None)
         self._made_thing(force, command.name, scope)
+
+    def _add_joint(self, command: commands.AddJoint, scope: Scope) -> None:
+        ends = [self._thing(each, scope) for each in command.joint.arguments if isinstance(each, Called)]
+        if all(isinstance(each, Body) for each in ends) and len(set(ends)) == 2:  # else one is gone
+            self._made_thing(self.world.add_joint(self._made(command.joint, scope)), command.name, scope)
 
     def _add_drawing(self, command: commands.AddDrawing, scope: Scope, game: Game) -> None:
         shape = self._made(command.shape, scope)

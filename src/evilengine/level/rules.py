@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from evilengine.values import level as commands
 from evilengine.world.body import Body
 from evilengine.world.forces import Force
+from evilengine.world.joints import Joint
 
 if TYPE_CHECKING:
     from evilengine.level.level import Level
     from evilengine.scene import Drawing, Text
     from evilengine.timer import Event
 
-Thing: TypeAlias = "Body | Drawing | Force | Text"
+Thing: TypeAlias = "Body | Drawing | Force | Joint | Text"
 Waiting: TypeAlias = (
     "commands.OnContact | commands.OnTouch | commands.OnKey | commands.OnShake | commands.After | commands.Every"
 )

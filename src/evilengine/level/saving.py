@@ -21,12 +21,13 @@ from evilengine.values import level as commands
 from evilengine.values.errors import SaveError
 from evilengine.world.body import Body
 from evilengine.world.forces import Force
+from evilengine.world.joints import Joint
 
 if TYPE_CHECKING:
     from evilengine.game import Game
 
 Reference = list[Any] | None
-"""["body", slot], ["force", slot], ["drawing", slot], ["text", number], ["event", number]; None: it is gone."""
+"""["body", slot], and so with force, joint and drawing; ["text", number], ["event", number]; None: it is gone."""
 
 C = TypeVar("C", bound=commands.Command)
 
@@ -48,6 +49,8 @@ def reference(thing: object) -> Reference:
             return ["body", thing.slot]
         case Force(alive=True):
             return ["force", thing._handle().slot]
+        case Joint(alive=True):
+            return ["joint", thing._handle().slot]
         case Drawing(alive=True):
             return ["drawing", thing._slot]
         case Text(alive=True):

@@ -4,13 +4,27 @@ from __future__ import annotations
 
 from evilengine.script.arithmetic import formula
 from evilengine.script.checker import Checker
+from evilengine.script.kinds import JOINTS
 from evilengine.script.names import DRAWING, SOMETHING, Made, family_made
 from evilengine.script.settings import example_of
 from evilengine.script.syntax import Expression, Identifier, New, Setting, Spot, Text
 from evilengine.script.word import PLACE, Property, Size
 from evilengine.script.words import KINDS, family_of, property_of
 from evilengine.values import level as values
-from evilengine.values.level import Area, Called, Command, Corners, Make, Number, Option, Pair, Place, Value
+from evilengine.values.level import (
+    Area,
+    Called,
+    Command,
+    Corners,
+    Formula,
+    Make,
+    Name,
+    Number,
+    Option,
+    Pair,
+    Place,
+    Value,
+)
 
 BODIES = ("body", "walls")
 WALL_THICKNESS = 1.0
@@ -29,6 +43,8 @@ class ThingBuilder(Checker):
                 commands = self._drawing(statement, settings)
             elif kind.family == "body":
                 commands = self._body(statement, settings)
+            elif kind.word in JOINTS:
+                commands = self._joint(statement, settings)
             elif kind.family == "spring":
                 commands = self._spring(statement, settings)
             else:
@@ -175,6 +191,22 @@ class ThingBuilder(Checker):
                 options.append(Option(entry.option, self.value(setting, entry)))
         name_made = statement.name.name if statement.name else ""
         return [values.AddForce(statement.place, name_made, Make("Spring", (), tuple(options)), (body,))]
+
+    def _joint(self, statement: New, settings: dict[str, tuple[Setting, Property]]) -> list[Command]:
+        """The two things come first, then what the joint needs at a place; two ends of a range are one pair."""
+        assert statement.kind is not None
+        given = {entry.option: self.value(setting, entry) for setting, entry in settings.values()}
+        least, most = given.pop("least", None), given.pop("most", None)
+        if isinstance(least, (float, Name, Formula)) or isinstance(most, (float, Name, Formula)):
+            far = values.FARTHEST_LIMIT
+            given["limits"] = Pair(
+                least if isinstance(least, (float, Name, Formula)) else -far,
+                most if isinstance(most, (float, Name, Formula)) else far,
+            )
+        first = [given.pop(name) for name in ("a", "b") if name in given]
+        options = tuple(Option(name, value) for name, value in given.items())
+        name_made = statement.name.name if statement.name else ""
+        return [values.AddJoint(statement.place, name_made, Make(KINDS[statement.kind].type, tuple(first), options))]
 
     def _force(self, statement: New, settings: dict[str, tuple[Setting, Property]]) -> list[Command]:
         assert statement.kind is not None

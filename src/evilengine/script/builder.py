@@ -5,6 +5,7 @@ from __future__ import annotations
 from evilengine.script.arithmetic import Bounds
 from evilengine.script.bodies import BODIES, ThingBuilder
 from evilengine.script.checker import thing
+from evilengine.script.kinds import JOINTS
 from evilengine.script.names import DRAWING, NUMBER, SOMETHING, TEXT, Made
 from evilengine.script.syntax import (
     Block,
@@ -29,7 +30,7 @@ from evilengine.values import level as values
 from evilengine.values.level import Called, Command, Number, Option, Place, Tagged, Value
 from evilengine.values.tick import FASTEST, SLOWEST
 
-THINGS = (*BODIES, "spring", "force", "drag", "medium", DRAWING, TEXT)
+THINGS = (*BODIES, *JOINTS, "spring", "force", "drag", "medium", DRAWING, TEXT)
 
 _SECONDS = Range(least=0.0, most=1e6)
 _INTERVAL = Range(least=0.02, most=1e6)  # shorter than a step is no interval
@@ -189,15 +190,17 @@ class Builder(ThingBuilder):
     def _change(self, statement: Change) -> list[Command]:
         target = statement.target
         if statement.setting is None and statement.value is None:
-            self.called(target, (*BODIES, DRAWING, TEXT, NUMBER), "thing")
+            self.called(target, (*BODIES, *JOINTS, DRAWING, TEXT, NUMBER), "thing")
             return []
         if statement.setting is None:
             return self._change_number(statement)
-        made = self.called(target, (*BODIES, DRAWING, TEXT), "thing")
+        made = self.called(target, (*BODIES, *JOINTS, DRAWING, TEXT), "thing")
         if made is None or statement.broken:
             return []
-        family = made.family if made.family in (DRAWING, TEXT) else "body"
+        family = made.family if made.family in (DRAWING, TEXT, *JOINTS) else "body"
         entry = property_of(statement.setting.word, family)
+        if entry is None and made.family == SOMETHING:
+            return []
         if entry is None or not entry.settable:
             self.error(
                 "wrong-property", f"a {family} has no {statement.setting.word} to change", statement.setting.place

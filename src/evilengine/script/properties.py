@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from evilengine.script.joint_properties import JOINT_PROPERTIES
 from evilengine.script.meeting import MEETING
 from evilengine.script.word import ANY, FRACTION, NOT_NEGATIVE, PLACE, SIZE, Property, Range
 
@@ -400,4 +401,5 @@ PROPERTIES: tuple[Property, ...] = (
         example='text "Hello" at 20 20 colour "gold";',
         meant=("fill", "tint", "paint", "col"),
     ),
+    *JOINT_PROPERTIES,
 )

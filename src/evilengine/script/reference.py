@@ -10,6 +10,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from evilengine.script.expressions import MAX_DEPTH
+from evilengine.script.kinds import JOINTS
 from evilengine.script.settings import example_of
 from evilengine.script.word import (
     MAX_BODIES,
@@ -78,6 +79,7 @@ def reference() -> str:
     parts.append("## Properties\n\n`set` can change those that are marked.\n")
     parts.append("### Of things\n\n" + _table(_merged("body", "walls")))
     parts.append("### Of springs\n\n" + _table(properties_of("spring")))
+    parts.append("### Of joints\n\n" + _table(_merged(*JOINTS)))
     parts.append("### Of forces, drag and media\n\n" + _table(_merged("force", "drag", "medium")))
     parts.append("### Of drawings\n\n" + _table(properties_of("drawing")))
     parts.append("### Of texts\n\n" + _table(properties_of("text")))

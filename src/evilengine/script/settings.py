@@ -144,7 +144,7 @@ class Settings(Expressions):
                 self.error("wrong-property", f"{word} cannot be changed later", token, hint)
                 self.advance()
                 raise Skip
-            suggestion = near_property(word, "body")
+            suggestion = near(word, changeable) or near_property(word, "body")
             entry = changeable.get(suggestion or "")
             hint = f"did you mean '{suggestion}'?" if entry else f"set changes {', '.join(changeable)}"
             self.error("unknown-property", f"there is no property {shown(token)}", token, hint)

@@ -200,6 +200,8 @@ class Translator(PythonValues):
                 self._call(self._naming(command.name), "game.draw", arguments)
             case commands.AddForce():
                 self._add_force(command)
+            case commands.AddJoint():
+                self._add_joint(command)
             case commands.AddText():
                 self._add_text(command)
             case commands.Let(name=name, value=value):
@@ -285,8 +287,7 @@ class Translator(PythonValues):
             self._sure[-1].add(name)
             return
         if name and not {*bodies, *others} <= self._sure[-1]:
-            self._line(f"{name} = None")
-            self._maybe.add(name)
+            self._none_yet(before, command.name)
         if len(bodies) == 1:
             with self._if_alive(bodies[0], *others):
                 self._call(before, f"{bodies[0]}.add_force", [force])
@@ -296,6 +297,18 @@ class Translator(PythonValues):
         self._line(f"if {alive}:")
         with self._deeper():
             self._call(before, "game.world.add_force", [force, alive])
+
+    def _none_yet(self, before: str, name: str) -> None:
+        self._line(f"{before}None")
+        self._maybe.add(self.called(name))
+
+    def _add_joint(self, command: commands.AddJoint) -> None:
+        ends = [self.called(each.name) for each in command.joint.arguments if isinstance(each, Called)]
+        before = f"{self._make_name(command.name)} = " if command.name else ""
+        if before and not {*ends} <= self._sure[-1]:
+            self._none_yet(before, command.name)
+        with self._if_alive(*ends):
+            self._call(before, "game.world.add_joint", [self.make(command.joint)])
 
     def _add_text(self, command: commands.AddText) -> None:
         options = [self.option(each) for each in command.options]

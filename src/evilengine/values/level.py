@@ -96,6 +96,10 @@ class Make:
     options: tuple[Option, ...] = ()
 
 
+FARTHEST_LIMIT = 100_000.0
+"""Radians or metres: the end of a joint's range that a level leaves open."""
+
+
 @dataclass(frozen=True, slots=True)
 class Tagged:
     """Every body that carries this tag, also those made later."""
@@ -172,6 +176,15 @@ class AddForce:
     name: str
     force: Make
     bodies: tuple[Called, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class AddJoint:
+    """A joint between the two bodies that its first arguments call."""
+
+    place: Place
+    name: str
+    joint: Make
 
 
 @dataclass(frozen=True, slots=True)
@@ -336,6 +349,7 @@ Command: TypeAlias = (
     | AddBody
     | AddDrawing
     | AddForce
+    | AddJoint
     | AddText
     | PlaySound
     | PlayMusic
