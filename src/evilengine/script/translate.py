@@ -16,8 +16,7 @@ WIDTH = 120  # characters; a longer call is spread over several lines
 
 _TAKEN = {
     "abs", "bool", "build", "contact", "cosine", "drawing", "evil", "game", "key", "max", "math", "min", "other",
-    "range", "int", "sine", "tags", "this", "touch", "when_met",
-}  # fmt: skip
+    "range", "int", "sine", "tags", "this", "touch", "when_met"}  # fmt: skip
 
 
 def translate(level: LevelScript) -> str:
@@ -287,7 +286,8 @@ class Translator(PythonValues):
             self._sure[-1].add(name)
             return
         if name and not {*bodies, *others} <= self._sure[-1]:
-            self._none_yet(before, command.name)
+            self._line(f"{name} = None")
+            self._maybe.add(name)
         if len(bodies) == 1:
             with self._if_alive(bodies[0], *others):
                 self._call(before, f"{bodies[0]}.add_force", [force])
@@ -298,15 +298,12 @@ class Translator(PythonValues):
         with self._deeper():
             self._call(before, "game.world.add_force", [force, alive])
 
-    def _none_yet(self, before: str, name: str) -> None:
-        self._line(f"{before}None")
-        self._maybe.add(self.called(name))
-
     def _add_joint(self, command: commands.AddJoint) -> None:
         ends = [self.called(each.name) for each in command.joint.arguments if isinstance(each, Called)]
         before = f"{self._make_name(command.name)} = " if command.name else ""
         if before and not {*ends} <= self._sure[-1]:
-            self._none_yet(before, command.name)
+            self._line(f"{before}None")
+            self._maybe.add(self.called(command.name))
         with self._if_alive(*ends):
             self._call(before, "game.world.add_joint", [self.make(command.joint)])
 
@@ -434,10 +431,9 @@ class Translator(PythonValues):
 
     def _repeat(self, command: commands.Repeat) -> None:
         counter = self._fresh(command.counter or "_")
-        if isinstance(command.times, float):
-            rounds = f"range(1, {int(command.times) + 1})"
-        else:
-            rounds = f"range(1, int({self.number(command.times)}) + 1)"
+        times = command.times
+        last = f"{int(times) + 1}" if isinstance(times, float) else f"int({self.number(times)}) + 1"
+        rounds = f"range(1, {last})"
         with self._scope(**{command.counter: counter} if command.counter else {}):
             if is_deferred(command.block):
                 name = self._fresh("one_round")
