@@ -120,7 +120,8 @@ void find_candidates(Continuous& c, const Fast& fast, const Placements& placed, 
                      const Shapes& shapes) {
     c.candidates.clear();
     bool bullet = bodies.rows[fast.body].bullet;
-    std::size_t there = std::min(shapes.pieces.size(), placed.octaves.size()); // after a restore, slots may be left over
+    std::size_t there =
+        std::min(shapes.pieces.size(), placed.octaves.size()); // after a restore, slots may be left over
     for (std::uint32_t p = 0; p < there; ++p) {
         if (placed.octaves[p] == kNoOctave) continue;
         const Body& other = bodies.rows[shapes.pieces[p].body];
