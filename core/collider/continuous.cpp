@@ -115,29 +115,45 @@ Proxy core_of(Continuous& c, const Shapes& shapes, const Piece& piece) {
     return {c.core, whole.radius};
 }
 
-// Everything whose bounds the body may sweep over: of this step's start, grown by where its own body has gone.
-void find_candidates(Continuous& c, const Fast& fast, const Placements& placed, const Bodies& bodies,
-                     const Shapes& shapes) {
-    c.candidates.clear();
-    bool bullet = bodies.rows[fast.body].bullet;
+// Bounds of the pieces that fast bodies may meet: of this step's start, grown by where their own bodies have gone.
+void find_swept(Continuous& c, std::vector<Continuous::Swept>& list, bool dynamic_too, const Placements& placed,
+                const Bodies& bodies, const Shapes& shapes) {
+    list.clear();
     std::size_t there =
         std::min(shapes.pieces.size(), placed.octaves.size()); // after a restore, slots may be left over
     for (std::uint32_t p = 0; p < there; ++p) {
         if (placed.octaves[p] == kNoOctave) continue;
-        const Body& other = bodies.rows[shapes.pieces[p].body];
-        if (other.kind == BodyKind::dynamic && !bullet) continue;
+        const Piece& piece = shapes.pieces[p];
+        const Body& body = bodies.rows[piece.body];
+        if (body.kind == BodyKind::dynamic && !dynamic_too) continue;
         Vec2 low{placed.low_x[p], placed.low_y[p]}, high{placed.high_x[p], placed.high_y[p]};
-        std::uint32_t path = c.path_of[shapes.pieces[p].body];
+        std::uint32_t path = c.path_of[piece.body];
         if (path != kNone) {
             const Motion& m = c.motions[path];
-            float arm = length(shapes.pieces[p].centre - other.local_centre) + shapes.pieces[p].reach;
+            float arm = length(piece.centre - body.local_centre) + piece.reach;
             float swing = static_cast<float>(std::min(std::abs(m.turn), 2.0)) * arm;
             low = low + min(m.path, Vec2{}) - Vec2{swing, swing};
             high = high + max(m.path, Vec2{}) + Vec2{swing, swing};
         }
-        if (low.x > fast.high.x || high.x < fast.low.x || low.y > fast.high.y || high.y < fast.low.y) continue;
-        if (shapes.pieces[p].body != fast.body) c.candidates.push_back(p);
+        list.push_back({low, high, 0.0f, p});
     }
+    std::ranges::sort(
+        list, [](const auto& e, const auto& f) { return e.low.x != f.low.x ? e.low.x < f.low.x : e.piece < f.piece; });
+    float right = -3.4e38f;
+    for (auto& e : list) e.right = right = std::max(right, e.high.x);
+}
+
+// Those that the body may sweep over, in order of their slots. In order of low.x, nothing after the last that begins in time
+// can be met, and nothing before all those that end too early.
+void find_candidates(Continuous& c, const Fast& fast, const Bodies& bodies, const Shapes& shapes) {
+    c.candidates.clear();
+    const auto& list = bodies.rows[fast.body].bullet ? c.everything : c.walls;
+    auto e = std::ranges::upper_bound(list, fast.high.x, {}, [](const auto& swept) { return swept.low.x; });
+    while (e != list.begin() && (--e)->right >= fast.low.x) {
+        if (e->high.x < fast.low.x || e->low.y > fast.high.y || e->high.y < fast.low.y) continue;
+        if (shapes.pieces[e->piece].body != fast.body) c.candidates.push_back(e->piece);
+    }
+    std::ranges::sort(c.candidates);
 }
 
 // The motion of what may be met, which ends early if that is fast itself and has been stopped.
@@ -182,13 +198,12 @@ Impact meet(const Continuous& c, const Proxy& core, const Piece& piece, const Sh
 }
 
 // When the fast body first meets something, and what.
-void find_hit(Continuous& c, Fast& fast, const Placements& placed, const Bodies& bodies, const Shapes& shapes,
-              const Joints& joints) {
+void find_hit(Continuous& c, Fast& fast, const Bodies& bodies, const Shapes& shapes, const Joints& joints) {
     const Body& body = bodies.rows[fast.body];
     const Motion& motion = c.motions[c.path_of[fast.body]];
     fast.hit = 2.0;
     fast.wall = kNone;
-    find_candidates(c, fast, placed, bodies, shapes);
+    find_candidates(c, fast, bodies, shapes);
     for (std::uint32_t s = body.first_shape; s != kNone && !c.candidates.empty(); s = shapes.rows[s].next) {
         const Traits& traits = shapes.rows[s].traits;
         for (std::uint32_t p = shapes.rows[s].first_piece; p != kNone; p = shapes.pieces[p].next) {
@@ -247,7 +262,10 @@ void stop_in_time(Continuous& c, std::span<const Path> paths, const Placements& 
     find_fast(c, paths, bodies, shapes);
     if (c.fast.empty()) return;
     note_motions(c, paths, bodies);
-    for (Fast& fast : c.fast) find_hit(c, fast, placed, bodies, shapes, joints);
+    find_swept(c, c.walls, false, placed, bodies, shapes);
+    bool bullets = std::ranges::any_of(c.fast, [&](const Fast& fast) { return bodies.rows[fast.body].bullet; });
+    if (bullets) find_swept(c, c.everything, true, placed, bodies, shapes);
+    for (Fast& fast : c.fast) find_hit(c, fast, bodies, shapes, joints);
     for (std::uint32_t i;
          (i = earliest(c.fast)) != kNone;) { // in the order of time: who stops, others may miss or meet
         auto settle = [&](std::uint32_t k, double t) {
@@ -260,8 +278,7 @@ void stop_in_time(Continuous& c, std::span<const Path> paths, const Placements& 
         if (both) settle(other, c.fast[i].hit);
         for (Fast& fast : c.fast) {
             bool touched = cross(fast, c.fast[i]) || (both && cross(fast, c.fast[other]));
-            if (!fast.settled && touched && bodies.rows[fast.body].bullet)
-                find_hit(c, fast, placed, bodies, shapes, joints);
+            if (!fast.settled && touched && bodies.rows[fast.body].bullet) find_hit(c, fast, bodies, shapes, joints);
         }
     }
     for (const Fast& fast : c.fast)

@@ -19,9 +19,15 @@ struct Continuous { // Scratch
         bool settled = false;
     };
     std::vector<Fast> fast;
-    std::vector<Motion> motions;           // of each path
-    std::vector<std::uint32_t> path_of;    // by body; kNone: it did not move
-    std::vector<std::uint32_t> fast_of;    // by body; kNone: it is not fast
+    std::vector<Motion> motions;        // of each path
+    std::vector<std::uint32_t> path_of; // by body; kNone: it did not move
+    std::vector<std::uint32_t> fast_of; // by body; kNone: it is not fast
+    struct Swept {                      // bounds of all that a piece sweeps over in the step
+        Vec2 low, high;
+        float right; // the farthest high.x up to here, in order of low.x
+        std::uint32_t piece;
+    };
+    std::vector<Swept> walls, everything;  // sorted by low.x; the second only where there are bullets
     std::vector<Vec2> core;                // of the piece at hand
     std::vector<std::uint32_t> candidates; // pieces
 };
