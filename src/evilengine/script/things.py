@@ -7,7 +7,7 @@ from evilengine.script.lexer import Source, Token
 from evilengine.script.settings import Settings
 from evilengine.script.syntax import Block, Change, Expression, Identifier, New, Sounding, Spot, Text, TextLine
 from evilengine.script.word import Kind
-from evilengine.script.words import DRAWN, KINDS, PROPERTY_WORDS, RESERVED, family_of, near_kind
+from evilengine.script.words import DRAWN, FUNCTIONS, KINDS, PROPERTY_WORDS, RESERVED, family_of, near_kind
 from evilengine.values.level import Place
 
 
@@ -152,7 +152,7 @@ class Things(Settings):
             self.unknown_function(self.advance())
             return None
         name_follows = after.kind in ("number", "(", "-", "+", ";", "}", "end") or (
-            after.kind == "name" and (after.text in RESERVED or after.first)
+            after.kind == "name" and (after.text in RESERVED or after.text in FUNCTIONS or after.first)
         )
         if not name_follows and self.near_property(token.text, family):
             return None  # a misspelt property, which its reader reports
