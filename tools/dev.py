@@ -9,6 +9,7 @@ python tools/dev.py lint       check format, style, types and stubs; changes not
 python tools/dev.py docs       build the documentation's site into site/, with warnings as errors
 python tools/dev.py release    source and wheel into dist/, and the wheel tried where there is no compiler
 python tools/dev.py sanitize   run the core's tests with AddressSanitizer and UndefinedBehaviorSanitizer
+python tools/dev.py fuzz       let libFuzzer play with the core, for a minute or the seconds that follow; needs clang
 """
 
 from __future__ import annotations
@@ -30,6 +31,7 @@ PACKAGE = ROOT / "src" / "evilengine"
 STUBS = PACKAGE / "_core.pyi"
 BUILD = ROOT / "build" / "dev"
 SANITIZED = ROOT / "build" / "sanitize"
+FUZZED = ROOT / "build" / "fuzz"
 CPP = [str(path) for suffix in ("hpp", "cpp") for path in sorted((ROOT / "core").rglob(f"*.{suffix}"))]
 
 # Tests that start processes or open windows: they say nothing about the core, and a sanitizer would watch SDL instead.
@@ -109,6 +111,30 @@ def lint() -> None:
     run(tool("clang-format"), "--dry-run", "--Werror", *CPP)
     run(sys.executable, "-m", "mypy")
     check_stubs()
+
+
+def fuzz(seconds: str = "60") -> None:
+    """What it finds stays in build/fuzz/corpus, where the next run goes on; an input that fails, in build/fuzz."""
+    clang = shutil.which("clang++")
+    if clang is None:
+        print("fuzz: there is no clang++, so libFuzzer cannot play: apt-get install clang")
+        return
+    run(
+        *(tool("cmake"), "-S", ".", "-B", FUZZED, "-G", "Ninja", "--log-level=WARNING"),
+        *(f"-DCMAKE_MAKE_PROGRAM={tool('ninja')}", f"-DCMAKE_CXX_COMPILER={clang}", "-DCMAKE_BUILD_TYPE=None"),
+        *("-DCMAKE_CXX_FLAGS=-O1", "-DEVIL_BINDINGS=OFF", "-DEVIL_FUZZ=ON"),
+    )
+    run(tool("cmake"), "--build", FUZZED)
+    corpus = FUZZED / "corpus"
+    corpus.mkdir(exist_ok=True)
+    sys.path.insert(0, str(ROOT / "tests" / "fuzz"))
+    import seeds
+
+    seeds.write(corpus)
+    run(
+        *(FUZZED / "world_fuzzer", f"-max_total_time={seconds}", "-max_len=8192", "-timeout=20", "-rss_limit_mb=2048"),
+        *(f"-artifact_prefix={FUZZED}/", "-print_final_stats=1", "-verbosity=0", corpus),
+    )
 
 
 def sanitize(*arguments: str) -> None:
@@ -196,6 +222,7 @@ CHORES = {
     "docs": docs,
     "release": release,
     "sanitize": sanitize,
+    "fuzz": fuzz,
 }
 
 if __name__ == "__main__":
