@@ -200,3 +200,12 @@ def test_the_same_life_comes_out_the_same():
             zoo.live()
         sums.append(zoo.world.checksum())
     assert sums[0] == sums[1]
+
+
+def test_small_bodies_alone_at_the_edge_of_the_world_are_no_riddle():
+    world = evil.World(gravity=(0, 0))
+    for x, y in ((1e7, 1e7), (-1e7, 1e7), (1e7, -9.9e6)):
+        world.add(evil.Circle(0.01), at=(x, y), velocity=(-1, 0))
+    for _ in range(30):
+        world.step(STEP)
+        assert finite(world)

@@ -24,8 +24,9 @@ namespace {
 
 constexpr std::int32_t kLeastOctave = -16, kOctaves = 48; // 2^-16 to 2^32 metres; smaller and larger go with the last
 constexpr std::size_t kLanes = 8;
-constexpr std::size_t kGrain = 512;      // entries a chunk
-constexpr double kCellSlack = 1.0 / 64;  // of a cell: more than the middles' rounding
+constexpr std::size_t kGrain = 512;     // entries a chunk
+constexpr double kCellSlack = 1.0 / 64; // of a cell: more than the middles' rounding
+constexpr float kLeastCell = 1e-3f; // metres: at the edge of the world, floats are so far apart that bounds are points
 constexpr std::uint32_t kDigitBits = 11; // of a pass of the sort: its counts stay in the nearest cache
 
 std::size_t octave_of(std::int32_t octave) {
@@ -77,6 +78,7 @@ void lay_out(Grid& grid, const Placements& placed, std::span<const std::uint32_t
         float width = placed.high_x[p] - placed.low_x[p], height = placed.high_y[p] - placed.low_y[p];
         grid.widest = std::max(grid.widest, std::max(width, height));
     }
+    grid.widest = std::max(grid.widest, kLeastCell);
     grid.origin_x = low_x;
     grid.origin_y = low_y;
     grid.cell = double(grid.widest) * (1.0 + kCellSlack);

@@ -34,7 +34,9 @@ public:
         if (word % 64 == 1) return word & 64 ? most : -most;
         return (static_cast<float>(word) / 32768.0f - 1.0f) * std::min(most, 20.0f);
     }
-    float size() { return byte() % 32 == 0 ? (byte() % 2 ? 1e4f : 1e-3f) : 0.05f + static_cast<float>(byte()) / 128.0f; }
+    float size() {
+        return byte() % 32 == 0 ? (byte() % 2 ? 1e4f : 1e-3f) : 0.05f + static_cast<float>(byte()) / 128.0f;
+    }
     Vec2 point(float most) {
         const float x = number(most);
         return {x, number(most)};
