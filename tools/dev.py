@@ -14,6 +14,7 @@ python tools/dev.py fuzz       let libFuzzer play with the core, for a minute or
 
 from __future__ import annotations
 
+import importlib
 import importlib.util
 import os
 import shutil
@@ -128,7 +129,7 @@ def fuzz(seconds: str = "60") -> None:
     corpus = FUZZED / "corpus"
     corpus.mkdir(exist_ok=True)
     sys.path.insert(0, str(ROOT / "tests" / "fuzz"))
-    import seeds
+    seeds = importlib.import_module("seeds")
 
     seeds.write(corpus)
     run(
