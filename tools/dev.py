@@ -35,8 +35,12 @@ SANITIZED = ROOT / "build" / "sanitize"
 FUZZED = ROOT / "build" / "fuzz"
 CPP = [str(path) for suffix in ("hpp", "cpp") for path in sorted((ROOT / "core").rglob(f"*.{suffix}"))]
 
-# Tests that start processes or open windows: they say nothing about the core, and a sanitizer would watch SDL instead.
-NOT_THE_CORE = ("architecture", "cli", "docs", "examples", "gl*", "import", "screen", "sound_card", "stubs", "window*")
+# Tests that start processes or open windows say nothing about the core, and a sanitizer would watch SDL instead; those
+# that step whole scenes again and again to compare bits would take it many minutes, and go where others have been.
+NOT_THE_CORE = (
+    *("architecture", "cli", "docs", "examples", "gl*", "import", "screen", "sound_card", "stubs", "window*"),
+    *("bench", "scene_bits", "testbed"),
+)
 
 
 def run(*command: str | Path, **environment: str) -> None:
