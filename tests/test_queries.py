@@ -397,3 +397,17 @@ def test_the_index_lives_through_the_packing_of_corners() -> None:
         box.destroy()
     hit = world.ray_cast((798, 9), (798, -9))
     assert (hit.body, hit.point) == (boxes[-1], (798, 0.5))
+
+
+def test_a_slot_that_was_free_when_the_index_was_put_in_order_has_no_place_in_it() -> None:
+    world = evil.World(gravity=(0, 0))
+    balls = [world.add(evil.Circle(0.4), at=(n, 0)) for n in range(200)]
+    assert world.bodies_at((7, 0)) == (balls[7],)
+    for ball in balls[100:] + balls[:100:2]:
+        ball.destroy()
+    balls = balls[1:100:2]
+    for n, ball in enumerate(balls):  # neighbours no longer: the order is worn out
+        ball.position = (37 * n % 100, n % 7 * 40)
+    assert world.bodies_at(balls[7].position) == (balls[7],)
+    balls += [world.add(evil.Circle(0.4), at=(n, -9)) for n in range(3)]  # in slots that once had a place
+    assert all(world.bodies_at(ball.position) == (ball,) for ball in balls)

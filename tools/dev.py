@@ -164,7 +164,8 @@ def sanitize(*arguments: str) -> None:
     ]
     ignored = [f"--ignore-glob=tests/test_{name}.py" for name in NOT_THE_CORE]
     run(
-        *(sys.executable, "-m", "pytest", "-p", "no:cacheprovider", *ignored, *arguments),
+        # What a sanitizer or an assertion says on its way out must not end in pytest's own file.
+        *(sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "--capture=sys", *ignored, *arguments),
         PYTHONPATH=str(site),
         PYTHONMALLOC="malloc",  # every allocation of its own, so that a read past its end is seen
         LD_PRELOAD=" ".join(watchers),

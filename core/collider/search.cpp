@@ -26,6 +26,8 @@ void build_tree(Search& search, const Shapes& shapes, const Bodies& bodies, std:
     Tree& tree = search.trees[which];
     build(tree, search.items);
     search.targets[which].clear();
+    for (Search::Place& at : search.places) // also of slots that are free now: who gets them next has no place yet
+        if (at.tree == which) at = {};
     for (std::uint32_t place = 0; place < tree.order.size(); ++place) {
         search.places[tree.order[place]] = {which, place};
         search.targets[which].push_back(target_of(shapes, bodies, tree.order[place]));
