@@ -8,12 +8,13 @@ import signal
 import subprocess
 import sys
 import time
+import tracemalloc
 
 import pytest
 
 import evilengine as evil
 from evilengine.save import Container, Functions, Slots, write_whole
-from evilengine.save.files import saves_folder
+from evilengine.save.files import LARGEST, read_whole, saves_folder
 
 LETTERS = Container(b"EVILTEST", "a letter", 3, {1: lambda old: {"text": old["words"]}, 2: lambda old: old})
 SECTIONS = {"text": b"hello", "empty": b"", "more": bytes(range(256))}
@@ -213,6 +214,19 @@ def test_whatever_fails_while_writing_nothing_is_lost(failing, tmp_path, monkeyp
     assert sorted(file.name for file in tmp_path.iterdir()) == ["one.evs", "one.evs.before"]
     store(tmp_path, b"four")
     assert load(tmp_path) == b"four"
+
+
+def test_reading_takes_as_much_memory_as_the_file_is_large_and_no_more(tmp_path):
+    file = tmp_path / "small"
+    file.write_bytes(b"x" * 1000)
+    tracemalloc.start()
+    try:
+        assert len(read_whole(file, LARGEST)) == 1000
+        assert tracemalloc.get_traced_memory()[1] < 100_000
+    finally:
+        tracemalloc.stop()
+    with pytest.raises(evil.SaveError, match="larger than 999 bytes"):
+        read_whole(file, 999)
 
 
 def test_a_file_system_without_links_keeps_a_backup_too(tmp_path, monkeypatch):

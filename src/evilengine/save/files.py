@@ -83,7 +83,8 @@ def read_whole(path: Path, largest: int) -> bytes:
     """The bytes of the file `path`. Raises SaveError when there is none, or when it is too large to be one of ours."""
     try:
         with path.open("rb") as stream:
-            data = stream.read(largest + 1)
+            size = os.fstat(stream.fileno()).st_size  # read(n) takes n bytes of memory first, however small the file
+            data = stream.read(min(size, largest) + 1)
     except FileNotFoundError:
         raise SaveError(f"there is no file {path}") from None
     except OSError as problem:
