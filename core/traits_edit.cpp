@@ -24,6 +24,7 @@ void set_traits(World& world, std::uint32_t shape, const Traits& traits) {
         world.shapes.pieces[p].sensor = traits.sensor;
     for (Contact& c : world.contacts.rows)
         if (of_shape(c)) mark(c, world.shapes);
+    note_edit(world.search, row.body);
 }
 
 } // namespace evil

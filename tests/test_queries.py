@@ -411,3 +411,16 @@ def test_a_slot_that_was_free_when_the_index_was_put_in_order_has_no_place_in_it
     assert world.bodies_at(balls[7].position) == (balls[7],)
     balls += [world.add(evil.Circle(0.4), at=(n, -9)) for n in range(3)]  # in slots that once had a place
     assert all(world.bodies_at(ball.position) == (ball,) for ball in balls)
+
+
+def test_what_a_body_is_to_others_is_known_to_the_next_question() -> None:
+    world = evil.World()
+    wall = world.add(evil.Rectangle(1, 4), at=(5, 0), kind="static", category=1)
+    assert world.ray_cast((0, 0), (10, 0), mask=1)
+    wall.category = 2
+    assert world.ray_cast((0, 0), (10, 0), mask=1) is None
+    wall.shapes[0].category = 4
+    assert world.ray_cast((0, 0), (10, 0), mask=4)
+    wall.sensor = True
+    assert world.ray_cast((0, 0), (10, 0)) is None
+    assert world.ray_cast((0, 0), (10, 0), sensors=True)
