@@ -279,6 +279,13 @@ def test_a_restored_character_goes_on_to_the_bit() -> None:
     assert world.characters[0].air_jumps == 1
 
 
+def test_a_character_of_several_shapes_weighs_as_much_as_all_of_them() -> None:
+    world = evil.World()
+    hero = world.add_character([evil.Rectangle(1, 2), evil.Circle(0.5)], density=2)
+    assert hero.mass == pytest.approx(2 * (2 + 0.25 * math.pi))
+    assert hero.push_force == pytest.approx(40 * hero.mass)
+
+
 def test_a_character_goes_with_its_body() -> None:
     world, hero = flat()
     other = world.add_character(at=(5, 1))

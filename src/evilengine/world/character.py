@@ -199,7 +199,7 @@ class Cast:
         refuse_unknown(me, sorted({*known, *ABILITIES, "ladders"}), options)
         options.setdefault("friction", 0.0)
         body: Body = self.add(shape, at=at, tag=tag, kind="kinematic", **options)
-        abilities.setdefault("mass", max(options.get("density", 1.0) * getattr(shape, "area", 0.0), 1e-3))
+        abilities.setdefault("mass", max(sum(each.mass for each in body.shapes), 1e-3))
         try:
             return self._make_character(body, abilities, ladders)
         except BaseException:
