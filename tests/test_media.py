@@ -274,6 +274,17 @@ def test_media_are_in_a_snapshot_and_the_lists_of_another_process_know_them(worl
     assert (bubble.area, bubble.at, bubble.body.slot) == (evil.Circle(2), (0, 1), ship.slot)
 
 
+def test_a_medium_knows_the_area_that_a_restore_gave_back(world):
+    water = lake(world)
+    puddle = world.add_force(evil.Medium(evil.Circle(1), at=(3, 0)))
+    saved, area = world.snapshot(), water.area
+    water.area = (0, 0, 1, 1)
+    world.restore(saved)
+    left, bottom = min(water.area.corners)
+    assert (water.at.x + left, water.at.y + bottom, water.area.area) == (-50, -20, pytest.approx(area.area))
+    assert (puddle.area, puddle.at) == (evil.Circle(1), (3, 0))
+
+
 @settings(max_examples=25, deadline=None)
 @given(
     density=st.floats(1e-3, 1e3),

@@ -77,7 +77,7 @@ class Medium(Force):
     def area(self) -> ShapeDefinition | None:
         """The shape of its area, which lies `at` and is turned by `angle`. It may be set, to a shape or to (left,
         bottom, right, top), which wakes what the medium acts on: a tide. None for a shape of several parts that came
-        from a snapshot of another process.
+        from a snapshot: of another process, or of a time when this medium had another area.
         """
         return self._area
 

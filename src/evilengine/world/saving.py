@@ -31,8 +31,12 @@ def note_python_forces(world: World) -> None:
 
 def become(world: World, saved: _core.Saved) -> None:
     """Become what was read, whose notes were checked."""
+    areas = {force: force._handle().area for force in world.forces if isinstance(force, Medium)}
     bodies, shapes = world._core.restore(saved)
     world._forces = forces_now(world)
+    for medium, area in areas.items():
+        if medium.alive and medium._handle().area != area:
+            medium._read_back(world, medium._handle())
     world._joints = joints_now(world)
     world._broken_joints = ()
     for slot in bodies:
