@@ -16,10 +16,12 @@ from evilengine.values.vec2 import Point, Vec2
 from evilengine.world.arguments import place
 from evilengine.world.body import Body
 from evilengine.world.joints import Distance, Hinge, Joint
+from evilengine.world.joints.fields import MOST_HERTZ
 from evilengine.world.shapes import Capsule, Circle
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from types import TracebackType
 
     from evilengine.world.world import World
 
@@ -98,10 +100,10 @@ def rope(
         raise ArgumentError(f"{me}: start={start!r} and end={end!r} must be two different points")
     link = Capsule((-0.5 * span.length, 0.0), (0.5 * span.length, 0.0), radius)
     properties = {"angular_damping": 0.5, **properties}
-    maker = _Maker(world, add, {"angle": span.angle, **properties})
-    links = [maker.add(link, a + (i + 0.5) * span) for i in range(count)]
-    for i in range(1, count):
-        maker.join(Hinge(links[i - 1], links[i], at=a + i * span, breaking_force=breaking_force))
+    with _Maker(world, add, {"angle": span.angle, **properties}) as maker:
+        links = [maker.add(link, a + (i + 0.5) * span) for i in range(count)]
+        for i in range(1, count):
+            maker.join(Hinge(links[i - 1], links[i], at=a + i * span, breaking_force=breaking_force))
     return Soft(tuple(links), tuple(maker.joints), tuple(links))
 
 
@@ -132,16 +134,18 @@ def blob(
     middle = place(at, me)
     count = _pieces(pieces, me, "pieces", 5)
     radius = number(radius, me, "radius", above=0.0, most=1e4)
+    frequency = number(frequency, me, "frequency", least=0.0, most=MOST_HERTZ / 4.0)
     bead = radius * math.sin(math.pi / count) / (1.0 + math.sin(math.pi / count))  # discs that just touch, inside it
     round_at = radius - bead
-    maker = _Maker(world, add, properties)
-    ring = [maker.add(Circle(bead), middle + Vec2(round_at, 0.0).turned(math.tau * i / count)) for i in range(count)]
-    hub = maker.add(Circle(0.5 * bead), middle)
-    for i in range(count):
-        after, across = ring[(i + 1) % count], ring[(i + 2) % count]
-        maker.spring(ring[i], after, 4.0 * frequency, damping_ratio, breaking_force)
-        maker.spring(ring[i], across, 2.0 * frequency, damping_ratio, breaking_force)
-        maker.spring(hub, ring[i], frequency, damping_ratio, breaking_force)
+    around = [middle + Vec2(round_at, 0.0).turned(math.tau * i / count) for i in range(count)]
+    with _Maker(world, add, properties) as maker:
+        ring = [maker.add(Circle(bead), at) for at in around]
+        hub = maker.add(Circle(0.5 * bead), middle)
+        for i in range(count):
+            after, across = ring[(i + 1) % count], ring[(i + 2) % count]
+            maker.spring(ring[i], after, 4.0 * frequency, damping_ratio, breaking_force)
+            maker.spring(ring[i], across, 2.0 * frequency, damping_ratio, breaking_force)
+            maker.spring(hub, ring[i], frequency, damping_ratio, breaking_force)
     return Soft((*ring, hub), tuple(maker.joints), tuple(ring))
 
 
@@ -173,18 +177,20 @@ def jelly(
     across, up = _pieces(columns, me, "columns", 2), _pieces(rows, me, "rows", 2)
     width = number(width, me, "width", above=0.0, most=1e4)
     height = number(height, me, "height", above=0.0, most=1e4)
+    frequency = number(frequency, me, "frequency", least=0.0, most=MOST_HERTZ)
     if across * up > MOST_PIECES:
         raise ArgumentError(f"{me}: columns={columns} times rows={rows} must be at most {MOST_PIECES}")
     bead = 0.5 * min(width / across, height / up)
     step_x, step_y = (width - 2 * bead) / (across - 1), (height - 2 * bead) / (up - 1)
     corner = middle - Vec2(0.5 * width - bead, 0.5 * height - bead)
-    maker = _Maker(world, add, properties)
-    grid = [[maker.add(Circle(bead), corner + Vec2(i * step_x, j * step_y)) for i in range(across)] for j in range(up)]
-    for j in range(up):
-        for i in range(across):
-            for di, dj in ((1, 0), (0, 1), (1, 1), (-1, 1)):
-                if 0 <= i + di < across and j + dj < up:
-                    maker.spring(grid[j][i], grid[j + dj][i + di], frequency, damping_ratio, breaking_force)
+    places = [[corner + Vec2(i * step_x, j * step_y) for i in range(across)] for j in range(up)]
+    with _Maker(world, add, properties) as maker:
+        grid = [[maker.add(Circle(bead), at) for at in row] for row in places]
+        for j in range(up):
+            for i in range(across):
+                for di, dj in ((1, 0), (0, 1), (1, 1), (-1, 1)):
+                    if 0 <= i + di < across and j + dj < up:
+                        maker.spring(grid[j][i], grid[j + dj][i + di], frequency, damping_ratio, breaking_force)
     edge = [*grid[0], *(row[-1] for row in grid[1:-1]), *reversed(grid[-1]), *(row[0] for row in grid[-2:0:-1])]
     return Soft(tuple(body for row in grid for body in row), tuple(maker.joints), tuple(edge))
 
@@ -200,12 +206,18 @@ class _Maker:
         self.bodies: list[Body] = []
         self.joints: list[Joint] = []
 
+    def __enter__(self) -> _Maker:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if error is not None:
+            for body in reversed(self.bodies):
+                self.world._take_back(body)
+
     def add(self, shape: Capsule | Circle, at: Vec2) -> Body:
-        try:
-            body = self._add(shape, at=at, **self.properties)
-        except Exception:
-            self._take_back()
-            raise
+        body = self._add(shape, at=at, **self.properties)
         self.bodies.append(body)
         return body
 
@@ -213,15 +225,7 @@ class _Maker:
         self.joints.append(self.world.add_joint(joint))
 
     def spring(self, a: Body, b: Body, frequency: float, damping_ratio: float, breaking_force: float | None) -> None:
-        try:
-            self.join(Distance(a, b, frequency=frequency, damping_ratio=damping_ratio, breaking_force=breaking_force))
-        except Exception:
-            self._take_back()
-            raise
-
-    def _take_back(self) -> None:
-        for body in self.bodies:
-            body.destroy()
+        self.join(Distance(a, b, frequency=frequency, damping_ratio=damping_ratio, breaking_force=breaking_force))
 
 
 def _pieces(value: int, owner: str, argument: str, least: int) -> int:
