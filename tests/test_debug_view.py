@@ -8,6 +8,7 @@ import pytest
 from stage import BLACK, BLUE, GREEN, RED, Stage
 
 import evilengine as evil
+from evilengine.scene.debug import PARTS
 
 WHITE, YELLOW, CYAN, MAGENTA = (255, 255, 255), (255, 255, 0), (0, 255, 255), (255, 0, 255)
 
@@ -194,3 +195,207 @@ def test_bodies_at_the_edge_of_the_world_do_no_harm(stage: Stage) -> None:
         stage.camera.zoom = zoom
         stage.world.step()
         stage.show()
+
+
+# -- each part by itself --
+
+
+@pytest.fixture
+def lone(stage: Stage) -> Stage:
+    """Nothing is shown yet, in plain colours over black."""
+    view = stage.scene.debug_view
+    view.show([])
+    view.dial = False
+    view.impulse, view.bound, view.joint = "red", "red", "red"
+    return stage
+
+
+def test_nothing_is_drawn_of_what_is_off_and_each_part_shows_something(lone: Stage) -> None:
+    lone.add(evil.Rectangle(6, 1), at=(0, -1.5), kind="static")
+    a, b = lone.add(evil.Circle(0.5), at=(0, -0.51), velocity=(3, -3)), lone.add(evil.Circle(0.3), at=(2, 0.5))
+    lone.world.add_joint(evil.joints.Distance(a, b))
+    lone.world.step()
+    dark = lone.show().tobytes()
+    assert {dark[i] for i in range(len(dark)) if i % 4 != 3} == {0}
+    pictures = set()
+    for part in PARTS:
+        lone.scene.debug_view.show([part])
+        assert lone.scene.debug_view.shown == (part,)
+        pictures.add(lone.show().tobytes())
+    assert len(pictures | {dark}) == len(PARTS) + 1
+
+
+def test_parts_that_there_are_not_are_named(lone: Stage) -> None:
+    with pytest.raises(evil.ArgumentError, match=r"part='island' must be one of .*did you mean 'islands'"):
+        lone.scene.debug_view.show(["joints", "island"])
+    assert lone.scene.debug_view.shown == ()
+
+
+def test_the_impulse_of_a_block_at_rest_on_a_slope_points_straight_up(lone: Stage) -> None:
+    lone.world.gravity = (0, -10)  # type: ignore[assignment]
+    tilt = 0.4
+    out = evil.Vec2(-math.sin(tilt), math.cos(tilt))
+    lone.add(evil.Rectangle(8, 1), at=out * -0.5, angle=tilt, kind="static", friction=1)
+    block = lone.add(evil.Rectangle(0.5, 0.5), at=out * 0.25, angle=tilt, friction=1)
+    for _ in range(60):
+        lone.world.step()
+    assert block.velocity.length < 1e-3
+    assert abs(lone.world.contacts.active[0].normal.x) > 0.3
+
+    def upright_shafts() -> int:
+        pixels = lone.show()
+        return sum(sum(pixels[y, x, 0] > 150 for y in range(100)) > 12 for x in range(200))
+
+    lone.scene.debug_view.show(["impulses"])
+    assert upright_shafts() >= 2
+    lone.scene.debug_view.impulse = "black"
+    lone.scene.debug_view.show(["contacts", "impulses"])
+    assert upright_shafts() == 0, "normals stand across the slope"
+
+
+def test_bounds_are_boxes_round_every_convex_piece(lone: Stage) -> None:
+    lone.add(evil.Polygon([(-2, -1), (2, -1), (2, 1), (1, 1), (1, 0), (-2, 0)]), at=(0.02, 0.02), kind="static")
+    lone.add(evil.Circle(0.3), at=(-3, 0))
+    lone.scene.debug_view.show(["bounds"])
+    assert sees(lone, (-3.3, 0.3), RED)  # the corner of a circle's box
+    assert sees(lone, (-2, -0.5), RED)
+    assert sees(lone, (2, 0.5), RED)
+    assert not sees(lone, (-1, 0.5), RED), "no box round both pieces"
+
+
+def test_islands_have_one_colour_and_a_box_and_are_dark_in_sleep(lone: Stage) -> None:
+    heap = [lone.add(evil.Rectangle(1, 1), at=(x, 0)) for x in (-3, -2)]
+    lone.add(evil.Rectangle(1, 1), at=(2, 0))
+    lone.world.step()
+    lone.scene.debug_view.show(["shapes", "islands"])
+
+    def colour(x: float, y: float) -> list[int]:
+        column, row = (int(each) for each in lone.camera.to_pixel((x, y)))
+        pixels = lone.show()
+        return [max(pixels[row + side, column, part] for side in (-1, 0)) for part in range(3)]
+
+    a, b, c = (colour(x, 0.5) for x in (-3, -2, 2))
+    assert a == b != c
+    lone.scene.debug_view.shapes = False
+    assert sum(colour(-2.8, 0.5)) > 100, "the box round the two"
+    assert sum(colour(2, 0.5)) == 0, "one alone needs none"
+    lone.scene.debug_view.shapes = True
+    lone.world.gravity = (0, 0)  # type: ignore[assignment]
+    for _ in range(120):
+        lone.world.step()
+    assert not any(body.awake for body in heap)
+    assert sum(colour(-3, 0.5)) < 0.7 * sum(a)
+
+
+# -- joints --
+
+
+@pytest.fixture
+def joined(stage: Stage) -> Stage:
+    """Only joints are shown, red, over black."""
+    stage.scene.debug_view.show(["joints"])
+    stage.scene.debug_view.dial = False
+    stage.scene.debug_view.joint = "red"
+    stage.scene.debug_view.contact = "lime"
+    return stage
+
+
+def pair(stage: Stage, a: tuple[float, float], b: tuple[float, float]) -> tuple[evil.Body, evil.Body]:
+    return stage.add(evil.Circle(0.1), at=a, kind="static"), stage.add(evil.Circle(0.1), at=b)
+
+
+def test_a_rod_is_a_line_and_a_spring_a_coil(joined: Stage) -> None:
+    rod = joined.world.add_joint(evil.joints.Distance(*pair(joined, (-3, 0), (3, 0))))
+    assert all(sees(joined, (x, 0), RED, reach=0) for x in (-2, -1, 0.5, 2))
+    assert not sees(joined, (0, 0.2), RED)
+    rod.destroy()
+    assert not sees(joined, (-2, 0), RED)
+    joined.world.add_joint(evil.joints.Distance(*pair(joined, (-3, 0), (3, 0)), frequency=2))
+    bends = [x * 0.04 for x in range(-60, 60) if sees(joined, (x * 0.04, 0.18), RED)]
+    assert bends
+    assert min(bends) < -1.5 < 1.5 < max(bends), "it goes to and fro all the way"
+
+
+def test_a_rope_hangs_when_it_is_slack_and_is_straight_when_it_is_tight(joined: Stage) -> None:
+    joined.world.gravity = (0, -9.81)  # type: ignore[assignment]
+    slack = joined.world.add_joint(evil.joints.Rope(*pair(joined, (-1, 0.5), (1, 0.5)), length=3))
+    assert not sees(joined, (0, 0.5), RED)
+    sag = math.sqrt(3 / 16 * (9 - 4))
+    assert sees(joined, (0, 0.5 - sag), RED)
+    joined.world.gravity = (0, 9.81)  # type: ignore[assignment]
+    assert sees(joined, (0, 0.5 + sag), RED), "down is where things fall"
+    slack.destroy()
+    joined.world.add_joint(evil.joints.Rope(*pair(joined, (-1, 0.5), (1, 0.5))))
+    assert sees(joined, (0, 0.5), RED)
+
+
+def test_a_hinge_shows_the_arc_that_it_may_turn_through_and_turns_with_its_first_body(joined: Stage) -> None:
+    frame = joined.add(evil.Circle(0.1), at=(0, 0), kind="kinematic")
+    door = joined.add(evil.Rectangle(2, 0.2), at=(1, 0))
+    joined.world.add_joint(evil.joints.Hinge(frame, door, at=(0, 0), limits=(-0.5, 1.5)))
+    radius = 20 / 25  # 20 points, at 25 pixels a metre
+
+    def arc(angle: float) -> bool:
+        return sees(joined, (radius * math.cos(angle), radius * math.sin(angle)), RED)
+
+    assert [arc(angle) for angle in (-0.8, -0.4, 0.7, 1.4, 1.8, 3.0)] == [False, True, True, True, False, False]
+    frame.angle = door.angle = 1.0
+    door.position = (math.cos(1), math.sin(1))  # type: ignore[assignment]
+    assert [arc(angle) for angle in (0.2, 0.7, 2.4, 2.9)] == [False, True, True, False]
+
+
+def test_a_rail_ends_at_its_limits(joined: Stage) -> None:
+    frame, lift = pair(joined, (-3, 0), (0, 0))
+    joined.world.add_joint(evil.joints.Slider(frame, lift, axis=(1, 0), limits=(-1, 2)))
+    stops = [x for x in (-2, -1, 1, 2, 3) if sees(joined, (x, 0.16), RED)]
+    assert stops == [-1, 2]
+
+
+def test_a_pulley_runs_over_its_points(joined: Stage) -> None:
+    left, right = joined.add(evil.Circle(0.1), at=(-2, -1)), joined.add(evil.Circle(0.1), at=(2, -1))
+    joined.world.add_joint(evil.joints.Pulley(left, right, over_a=(-2, 1), over_b=(2, 1)))
+    assert sees(joined, (-2, 0), RED)
+    assert sees(joined, (2, 0), RED)
+    assert sees(joined, (-2.2, 1), RED), "the ring it runs over"
+    assert not sees(joined, (0, 0), RED)
+
+
+def test_a_joint_takes_the_colour_of_contacts_as_it_comes_near_breaking(joined: Stage) -> None:
+    joined.world.gravity = (0, -10)  # type: ignore[assignment]
+    wall, lamp = pair(joined, (0, 1), (0, -1))
+    weight = lamp.mass * 10
+    rope = joined.world.add_joint(evil.joints.Rope(wall, lamp, breaking_force=1.25 * weight))
+    for _ in range(120):
+        joined.world.step()
+    column, row = (int(each) for each in joined.camera.to_pixel((0, 0)))
+    pixels = joined.show()
+    red, green = (sum(pixels[row, column + side, part] for side in (-1, 0)) for part in (0, 1))
+    assert green / (red + green) == pytest.approx(0.8, abs=0.05)
+    rope.breaking_force = None
+    assert not sees(joined, (0, 0), GREEN)
+
+
+def test_where_bodies_are_crowded_joints_are_lines_alone(joined: Stage) -> None:
+    joined.world.add_joint(evil.joints.Weld(*pair(joined, (0, 0), (0.5, 0))))
+    assert sees(joined, (0.25, 0), RED)
+    assert not sees(joined, (0.25, 0.18), RED)
+    joined.camera.zoom *= 4
+    assert sees(joined, (0.25, 0.04), RED), "the sign of a weld"
+
+
+def test_every_kind_of_joint_is_drawn_at_any_zoom_and_at_the_edge_of_the_world(joined: Stage) -> None:
+    def rows(x: float) -> list[evil.Body]:
+        return [joined.add(evil.Circle(0.2), at=(x + i, 0)) for i in range(2)]
+
+    for x in (0.0, 9e6):
+        joints = evil.joints
+        for kind in (joints.Distance, joints.Slider, joints.Weld, joints.Wheel, joints.Motor, joints.Rope, joints.Gear):
+            joined.world.add_joint(kind(*rows(x)))  # type: ignore[abstract]
+        joined.world.add_joint(joints.Hinge(*rows(x), at=(x, 0), limits=(-1e6, 1e6), motor_speed=-3))
+        joined.world.add_joint(joints.Pulley(*rows(x), over_a=(x, 2), over_b=(x + 1, 2)))
+    for zoom in (1e-6, 0.5, 1e6):
+        joined.camera.zoom = zoom
+        pixels = joined.show()
+        if zoom == 0.5:
+            assert sum(pixels[50, x, 0] > 100 for x in range(200)) > 20
+    assert len(joined.world.joints) == 18

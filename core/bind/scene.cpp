@@ -157,17 +157,14 @@ std::shared_ptr<DrawList> collect_frame(SceneBox& box, const World& world, const
     return box.list;
 }
 
-std::tuple<std::uint32_t, std::uint32_t, std::uint32_t> debug_frame(SceneBox& box, const World& world,
-                                                                    const Matrix6& view, double alpha, float points,
-                                                                    const std::array<Rgba8, 9>& colours,
-                                                                    bool velocities) {
-    DebugLook look;
-    look.colours = {colours[0], colours[1], colours[2], colours[3], colours[4],
-                    colours[5], colours[6], colours[7], colours[8]};
-    look.points = points;
-    look.velocities = velocities;
-    const DebugCount count = draw_debug(overlay_of(box), world, to_affine(view), part_of_step(alpha), look);
-    return {count.bodies, count.asleep, count.contacts};
+using Counts = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
+
+Counts debug_frame(SceneBox& box, const World& world, const Matrix6& view, double alpha, float points,
+                   const decltype(DebugLook::inks)& inks, const decltype(DebugLook::parts)& parts) {
+    const Affine to_pixel = to_affine(view);
+    const DebugLook look{inks, parts, points};
+    const DebugCount count = draw_debug({overlay_of(box), world, to_pixel, part_of_step(alpha), look});
+    return {count.bodies, count.asleep, count.contacts, count.joints, count.islands};
 }
 
 // Bytes, and the texture ids that they count 1, 2, ...
@@ -294,8 +291,9 @@ void register_scene(nb::module_& module) {
         .def("set_texture_matrix", set_matrix<&Drawing::texture_matrix>(), slot, generation, value)
         .def("collect", &collect_frame, world, view, alpha, points,
              "The frame at alpha (0..1) between the last two steps; good until the next one.")
-        .def("debug", &debug_frame, world, view, alpha, points, nb::arg("colours"), nb::arg("velocities"),
-             "Put the debug view on top of the collected frame; how many bodies, sleepers and contacts there are.")
+        .def("debug", &debug_frame, world, view, alpha, points, nb::arg("inks"), nb::arg("parts"),
+             "Put the debug view on top of the collected frame; the numbers of bodies, sleepers, contacts, joints, "
+             "islands.")
         .def(
             "arrow",
             [](SceneBox& box, float x1, float y1, float x2, float y2, float width, Rgba8 colour) {

@@ -1,46 +1,74 @@
 #include "draw/debug.hpp"
 #include "draw/scene.hpp"
 #include "shapes/rounded.hpp"
+#include "solver/islands.hpp"
 
 namespace evil::draw {
 namespace {
 
 // All in logical points.
 constexpr float kOutline = 1.5f;
-constexpr float kArrow = 2.0f;
-constexpr float kNormal = 22.0f; // length of a contact's arrow: seen well, and shorter than a crate of a metre
-constexpr float kDot = 3.0f;
+constexpr float kThin = 1.0f; // bounds, which lie over outlines
+constexpr float kCentre = 2.1f;
 constexpr float kVelocity = 0.1f; // seconds: the arrow ends where the body would be by then
 
-Rgba8 colour_of(const Body& body, const DebugColours& colours) {
-    if (body.kind == BodyKind::fixed) return colours.still;
-    if (body.kind == BodyKind::kinematic) return colours.kinematic;
-    return body.awake ? colours.awake : colours.asleep;
+// Islands are told apart by these; which is whose follows from a body of it, so it seldom changes.
+constexpr Rgba8 kIslandInks[] = {0xff7fe08a, 0xff6fb8ff, 0xffffb26f, 0xffe58fff,
+                                 0xff6ff0f0, 0xfff0e26f, 0xff9f8fff, 0xffb0f06f};
+constexpr Rgba8 kRgbHalves = 0x007f7f7f; // of a colour, once it is shifted right
+
+Rgba8 dimmed(Rgba8 colour) { return (colour & 0xff000000u) | ((colour >> 1) & kRgbHalves); }
+
+Rgba8 ink_of_island(std::uint32_t root) {
+    return kIslandInks[(root * 2654435761u) >> 29]; // Fibonacci hashing (Knuth, TAOCP 3, 6.4): neighbours differ
+}
+
+struct IslandBox {
+    Bounds bounds;
+    std::uint32_t bodies = 0;
+};
+
+struct IslandView { // by body slot: the root of its island. Empty: nobody asked
+    std::vector<std::uint32_t> root;
+    std::vector<IslandBox> boxes; // by root
+};
+
+Rgba8 ink_of_state(const DebugFrame& f, const Body& body) {
+    if (body.kind == BodyKind::fixed) return f.ink(Ink::still);
+    if (body.kind == BodyKind::kinematic) return f.ink(Ink::kinematic);
+    return f.ink(body.awake ? Ink::awake : Ink::asleep);
+}
+
+Rgba8 ink_of_body(const DebugFrame& f, std::uint32_t slot, const IslandView& islands) {
+    const Body& body = f.world.bodies.rows[slot];
+    if (islands.root.empty() || body.kind != BodyKind::dynamic) return ink_of_state(f, body);
+    const Rgba8 colour = ink_of_island(islands.root[slot]);
+    return body.awake ? colour : dimmed(colour);
 }
 
 bool is_finite(const Affine& m) {
     return evil::is_finite({m.a, m.b}) && evil::is_finite({m.c, m.d}) && evil::is_finite({m.tx, m.ty});
 }
 
-void outline_shape(const Overlay& overlay, const World& world, std::uint32_t slot, const Affine& body_to_pixel,
-                   Rgba8 colour, float width) {
-    const Shape& shape = world.shapes.rows[slot];
-    const Vec2 scale = world.bodies.rows[shape.body].scale;
+void outline_shape(const DebugFrame& f, std::uint32_t slot, const Affine& body_to_pixel, Rgba8 colour) {
+    const Shape& shape = f.world.shapes.rows[slot];
+    const Vec2 scale = f.world.bodies.rows[shape.body].scale;
     const Affine to_pixel = compose(body_to_pixel, definition_to_body(shape, scale));
+    const float width = f.points(kOutline);
     if (!is_finite(to_pixel)) return;
     if (shape.kind == ShapeKind::particle) {
-        disc(overlay, {to_pixel.tx, to_pixel.ty}, 2.0f * width, colour);
+        disc(f.overlay, {to_pixel.tx, to_pixel.ty}, 2.0f * width, colour);
         return;
     }
-    DrawList& list = overlay.list;
+    DrawList& list = f.overlay.list;
     if (shape.kind == ShapeKind::circle) {
         const std::uint32_t mesh = add_circle(list, Vertex{}, shape.radius);
         list.instances.push_back({to_pixel, {}, mesh, kNoTexture, colour, width});
-        line(overlay, {to_pixel.tx, to_pixel.ty}, apply(to_pixel, {shape.radius, 0}), width,
+        line(f.overlay, {to_pixel.tx, to_pixel.ty}, apply(to_pixel, {shape.radius, 0}), width,
              colour); // shows how it turns
         return;
     }
-    const std::vector<Vec2> corners = drawn_outline(shape, world.shapes.corners[slot]);
+    const std::vector<Vec2> corners = drawn_outline(shape, f.world.shapes.corners[slot]);
     Mesh mesh; // an outline needs no triangles
     mesh.first_vertex = static_cast<std::uint32_t>(list.vertices.size());
     mesh.vertex_count = static_cast<std::uint32_t>(corners.size());
@@ -51,76 +79,115 @@ void outline_shape(const Overlay& overlay, const World& world, std::uint32_t slo
         {to_pixel, {}, static_cast<std::uint32_t>(list.meshes.size() - 1), kNoTexture, colour, width});
 }
 
-void draw_body(const Overlay& overlay, const World& world, std::uint32_t slot, const Affine& view, float alpha,
-               const DebugLook& look) {
-    const Body& body = world.bodies.rows[slot];
-    const Pose pose = between(world.previous[slot], world.present[slot], alpha);
-    const Affine to_pixel = compose(view, affine(pose));
-    const Rgba8 colour = colour_of(body, look.colours);
-    for (std::uint32_t s = body.first_shape; s != kNone; s = world.shapes.rows[s].next) {
-        const bool sensor = world.shapes.rows[s].traits.sensor;
-        outline_shape(overlay, world, s, to_pixel, sensor ? look.colours.sensor : colour, kOutline * look.points);
-    }
-    if (body.kind != BodyKind::dynamic) return;
-    const Vec2 centre = transform(pose, body.local_centre);
-    disc(overlay, apply(view, centre), 0.7f * kDot * look.points, look.colours.centre);
-    if (look.velocities)
-        arrow(overlay, apply(view, centre), apply(view, centre + kVelocity * body.velocity), kOutline * look.points,
-              look.colours.velocity);
+void outline_box(const DebugFrame& f, const Bounds& box, Rgba8 colour) {
+    const Vec2 corners[] = {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};
+    for (std::size_t i = 0; i < 4; ++i)
+        line(f.overlay, f.pixel(corners[i]), f.pixel(corners[(i + 1) % 4]), f.points(kThin), colour);
 }
 
-void draw_area(const Overlay& overlay, const Area& area, const Affine& view, const DebugLook& look) {
-    const float width = kOutline * look.points;
+template <class Visit> void for_bounds_of(const DebugFrame& f, std::uint32_t body, Visit&& visit) {
+    const Shapes& shapes = f.world.shapes;
+    const Pose pose = f.pose(body);
+    for (std::uint32_t s = f.world.bodies.rows[body].first_shape; s != kNone; s = shapes.rows[s].next)
+        for (std::uint32_t p = shapes.rows[s].first_piece; p != kNone; p = shapes.pieces[p].next)
+            visit(bounds_of(shapes, shapes.pieces[p], pose));
+}
+
+IslandView islands_of(const DebugFrame& f) {
+    IslandView view;
+    const World& w = f.world;
+    find_islands(view.root, w.bodies, w.contacts, w.joints, w.forces);
+    view.boxes.resize(view.root.size());
+    for (std::uint32_t slot = 0; slot < view.root.size(); ++slot) {
+        if (!w.bodies.slots.taken(slot) || w.bodies.rows[slot].kind != BodyKind::dynamic) continue;
+        IslandBox& box = view.boxes[view.root[slot]];
+        bool empty = box.bodies++ == 0;
+        for_bounds_of(f, slot, [&](const Bounds& b) {
+            box.bounds = empty ? b : Bounds{min(box.bounds.low, b.low), max(box.bounds.high, b.high)};
+            empty = false;
+        });
+    }
+    return view;
+}
+
+void draw_islands(const DebugFrame& f, const IslandView& islands, DebugCount& count) {
+    for (std::uint32_t root = 0; root < islands.boxes.size(); ++root) {
+        const IslandBox& box = islands.boxes[root];
+        if (box.bodies > 0) ++count.islands;
+        if (box.bodies > 1) outline_box(f, box.bounds, dimmed(ink_of_island(root))); // one alone says it by its colour
+    }
+}
+
+void draw_body(const DebugFrame& f, std::uint32_t slot, const IslandView& islands) {
+    const Body& body = f.world.bodies.rows[slot];
+    const Pose pose = f.pose(slot);
+    const Rgba8 colour = ink_of_body(f, slot, islands);
+    if (f.shows(Part::bounds))
+        for_bounds_of(f, slot, [&](const Bounds& box) { outline_box(f, box, f.ink(Ink::bound)); });
+    if (f.shows(Part::shapes))
+        for (std::uint32_t s = body.first_shape; s != kNone; s = f.world.shapes.rows[s].next)
+            outline_shape(f, s, compose(f.view, affine(pose)),
+                          f.world.shapes.rows[s].traits.sensor ? f.ink(Ink::sensor) : colour);
+    if (body.kind != BodyKind::dynamic) return;
+    const Vec2 centre = transform(pose, body.local_centre);
+    if (f.shows(Part::centres)) disc(f.overlay, f.pixel(centre), f.points(kCentre), f.ink(Ink::centre));
+    if (f.shows(Part::velocities))
+        arrow(f.overlay, f.pixel(centre), f.pixel(centre + kVelocity * body.velocity), f.points(kOutline),
+              f.ink(Ink::velocity));
+}
+
+void draw_area(const DebugFrame& f, const Area& area, const Affine& to_pixel) {
+    const float width = f.points(kOutline);
     if (area.radius > 0.0f) {
-        const std::uint32_t mesh = add_circle(overlay.list, Vertex{}, area.radius);
-        const Affine to_pixel = compose(view, affine(Pose{area.centre, {}}));
-        if (is_finite(to_pixel))
-            overlay.list.instances.push_back({to_pixel, {}, mesh, kNoTexture, look.colours.medium, width});
+        const std::uint32_t mesh = add_circle(f.overlay.list, Vertex{}, area.radius);
+        const Affine placed = compose(to_pixel, affine(Pose{area.centre, {}}));
+        if (is_finite(placed))
+            f.overlay.list.instances.push_back({placed, {}, mesh, kNoTexture, f.ink(Ink::medium), width});
     }
     for (const std::vector<Vec2>& part : area.parts)
         for (std::size_t i = 0; i < part.size(); ++i)
-            line(overlay, apply(view, part[i]), apply(view, part[i + 1 < part.size() ? i + 1 : 0]), width,
-                 look.colours.medium);
+            line(f.overlay, apply(to_pixel, part[i]), apply(to_pixel, part[i + 1 < part.size() ? i + 1 : 0]), width,
+                 f.ink(Ink::medium));
 }
 
-void draw_media(const Overlay& overlay, const World& world, const Affine& view, float alpha, const DebugLook& look) {
-    for (std::uint32_t slot = 0; slot < world.forces.slots.size(); ++slot) {
-        if (!world.forces.slots.taken(slot) || world.forces.rows[slot].kind != ForceKind::medium) continue;
-        const std::uint32_t carrier = world.forces.rows[slot].target;
-        Affine to_pixel = view;
-        if (carrier != kNone)
-            to_pixel = compose(view, affine(between(world.previous[carrier], world.present[carrier], alpha)));
-        draw_area(overlay, world.forces.areas[slot], to_pixel, look);
+void draw_media(const DebugFrame& f) {
+    const Forces& forces = f.world.forces;
+    for (std::uint32_t slot = 0; slot < forces.slots.size(); ++slot) {
+        if (!forces.slots.taken(slot) || forces.rows[slot].kind != ForceKind::medium) continue;
+        const std::uint32_t carrier = forces.rows[slot].target;
+        draw_area(f, forces.areas[slot], carrier == kNone ? f.view : compose(f.view, affine(f.pose(carrier))));
     }
 }
 
-void draw_contact(const Overlay& overlay, const World& world, const Contact& contact, const Affine& view,
-                  const DebugLook& look) {
-    const Vec2 centre = world.bodies.rows[contact.body_a].centre;
-    const Vec2 direction = normalised(apply_linear(view, contact.normal));
-    for (int i = 0; i < contact.count; ++i) {
-        const Vec2 at = apply(view, centre + contact.points[i].anchor_a);
-        arrow(overlay, at, at + (kNormal * look.points) * direction, kArrow * look.points, look.colours.contact);
-        disc(overlay, at, kDot * look.points, look.colours.contact);
+void draw_bodies(const DebugFrame& f, DebugCount& count) {
+    const Bodies& bodies = f.world.bodies;
+    const IslandView islands = f.shows(Part::islands) ? islands_of(f) : IslandView{};
+    draw_islands(f, islands, count); // under the outlines, which may lie on the box
+    for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
+        if (!bodies.slots.taken(slot)) continue;
+        draw_body(f, slot, islands);
+        ++count.bodies;
+        if (bodies.rows[slot].kind == BodyKind::dynamic && !bodies.rows[slot].awake) ++count.asleep;
     }
 }
 
 } // namespace
 
-DebugCount draw_debug(const Overlay& overlay, const World& world, const Affine& view, float alpha,
-                      const DebugLook& look) {
+Pose DebugFrame::pose(std::uint32_t body) const { return between(world.previous[body], world.present[body], alpha); }
+
+DebugCount draw_debug(const DebugFrame& f) {
     DebugCount count;
-    draw_media(overlay, world, view, alpha, look);
-    for (std::uint32_t slot = 0; slot < world.bodies.slots.size(); ++slot) {
-        if (!world.bodies.slots.taken(slot)) continue;
-        draw_body(overlay, world, slot, view, alpha, look);
-        ++count.bodies;
-        const Body& body = world.bodies.rows[slot];
-        if (body.kind == BodyKind::dynamic && !body.awake) ++count.asleep;
+    if (f.shows(Part::shapes)) draw_media(f);
+    draw_bodies(f, count);
+    const Joints& joints = f.world.joints;
+    for (std::uint32_t slot = 0; slot < joints.slots.size(); ++slot) {
+        if (!joints.slots.taken(slot)) continue;
+        if (f.shows(Part::joints)) draw_joint(f, joints.rows[slot]);
+        ++count.joints;
     }
-    for (const Contact& contact : world.contacts.rows) {
+    for (const Contact& contact : f.world.contacts.rows) {
         if (!contact.touching || contact.sensor) continue;
-        draw_contact(overlay, world, contact, view, look);
+        draw_contact(f, contact);
         ++count.contacts;
     }
     return count;

@@ -55,6 +55,29 @@ void disc(const Overlay& overlay, Vec2 centre, float radius, Rgba8 colour) {
         {{radius, 0, 0, radius, centre.x, centre.y}, {}, overlay.disc, kNoTexture, colour, 0.0f});
 }
 
+void ring(const Overlay& overlay, Vec2 centre, float radius, float width, Rgba8 colour) {
+    if (!near(centre)) return;
+    overlay.list.instances.push_back(
+        {{radius, 0, 0, radius, centre.x, centre.y}, {}, overlay.disc, kNoTexture, colour, width});
+}
+
+//          /\    /\    /\.
+//   from --  \  /  \  /  \  -- to      as many turns however long it is: so one sees how far it is stretched
+//              \/    \/    \/
+void coil(const Overlay& overlay, Vec2 from, Vec2 to, float half, float width, Rgba8 colour) {
+    constexpr int kBends = 12;
+    const Vec2 along = to - from, side = half * left_of(normalised(along));
+    Vec2 last = from;
+    for (int i = 0; i <= kBends; ++i) { // a straight end as long as two bends on either side
+        const float part = (2.0f + static_cast<float>(i)) / (kBends + 4);
+        const float out = i == 0 || i == kBends ? 0.0f : i % 2 == 0 ? -1.0f : 1.0f;
+        const Vec2 next = from + part * along + out * side;
+        line(overlay, last, next, width, colour);
+        last = next;
+    }
+    line(overlay, last, to, width, colour);
+}
+
 void box(const Overlay& overlay, Vec2 low, Vec2 high, Rgba8 colour) {
     square(overlay, {high.x - low.x, 0, 0, high.y - low.y, low.x, low.y}, colour);
 }

@@ -19,6 +19,8 @@ Overlay begin_overlay(DrawList& list);
 void line(const Overlay& overlay, Vec2 from, Vec2 to, float width, Rgba8 colour);
 void arrow(const Overlay& overlay, Vec2 from, Vec2 to, float width, Rgba8 colour); // its point is at `to`
 void disc(const Overlay& overlay, Vec2 centre, float radius, Rgba8 colour);
+void ring(const Overlay& overlay, Vec2 centre, float radius, float width, Rgba8 colour);
+void coil(const Overlay& overlay, Vec2 from, Vec2 to, float half, float width, Rgba8 colour); // a spring
 void box(const Overlay& overlay, Vec2 low, Vec2 high, Rgba8 colour);
 
 struct Glyph { // where it is on the picture, in pixels, and where in its texture, 0..1

@@ -1,3 +1,4 @@
+#include "solver/islands.hpp"
 #include "solver/solver.hpp"
 
 namespace evil {
@@ -23,28 +24,6 @@ bool stirs(const Body& b) { // a moving platform wakes what it touches
     return b.kind == BodyKind::kinematic && (length_squared(b.velocity) > 0.0f || b.spin != 0.0f);
 }
 
-void find_islands(Solver& solver, const Bodies& bodies, const Contacts& contacts, const Joints& joints,
-                  const Forces& forces) {
-    auto& island = solver.island_of;
-    island.resize(bodies.slots.size());
-    for (std::uint32_t slot = 0; slot < island.size(); ++slot) island[slot] = slot;
-    for (const Contact& c : contacts.rows)
-        if (c.count > 0 && dynamic(bodies, c.body_a) && dynamic(bodies, c.body_b)) unite(island, c.body_a, c.body_b);
-    for (std::uint32_t i = 0; i < joints.slots.size(); ++i) {
-        if (!joints.slots.taken(i)) continue;
-        const Joint& j = joints.rows[i];
-        if (dynamic(bodies, j.body_a) && dynamic(bodies, j.body_b)) unite(island, j.body_a, j.body_b);
-    }
-    for (std::uint32_t i = 0; i < forces.slots.size(); ++i) {
-        if (!forces.slots.taken(i) || forces.rows[i].target == kNone || !dynamic(bodies, forces.rows[i].target))
-            continue;
-        for (std::uint32_t slot : forces.rows[i].bodies)
-            if (dynamic(bodies, slot)) unite(island, forces.rows[i].target, slot);
-    }
-    for (std::uint32_t slot = 0; slot < island.size(); ++slot) island[slot] = root(island, slot);
-    solver.islands_known = true;
-}
-
 bool anyone_sleeps(const Bodies& bodies) {
     for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot)
         if (bodies.slots.taken(slot) && dynamic(bodies, slot) && !bodies.rows[slot].awake) return true;
@@ -61,11 +40,32 @@ float fastest_point(const Body& b, const Shapes& shapes) {
 
 } // namespace
 
+void find_islands(std::vector<std::uint32_t>& island, const Bodies& bodies, const Contacts& contacts,
+                  const Joints& joints, const Forces& forces) {
+    island.resize(bodies.slots.size());
+    for (std::uint32_t slot = 0; slot < island.size(); ++slot) island[slot] = slot;
+    for (const Contact& c : contacts.rows)
+        if (c.count > 0 && dynamic(bodies, c.body_a) && dynamic(bodies, c.body_b)) unite(island, c.body_a, c.body_b);
+    for (std::uint32_t i = 0; i < joints.slots.size(); ++i) {
+        if (!joints.slots.taken(i)) continue;
+        const Joint& j = joints.rows[i];
+        if (dynamic(bodies, j.body_a) && dynamic(bodies, j.body_b)) unite(island, j.body_a, j.body_b);
+    }
+    for (std::uint32_t i = 0; i < forces.slots.size(); ++i) {
+        if (!forces.slots.taken(i) || forces.rows[i].target == kNone || !dynamic(bodies, forces.rows[i].target))
+            continue;
+        for (std::uint32_t slot : forces.rows[i].bodies)
+            if (dynamic(bodies, slot)) unite(island, forces.rows[i].target, slot);
+    }
+    for (std::uint32_t slot = 0; slot < island.size(); ++slot) island[slot] = root(island, slot);
+}
+
 void wake_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, const Joints& joints,
                   const Forces& forces) {
     solver.islands_known = false;
     if (!anyone_sleeps(bodies)) return; // nobody to wake: whoever may fall asleep looks for the islands then
-    find_islands(solver, bodies, contacts, joints, forces);
+    find_islands(solver.island_of, bodies, contacts, joints, forces);
+    solver.islands_known = true;
     solver.island_awake.assign(bodies.slots.size(), 0);
     for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot)
         if (bodies.slots.taken(slot) && dynamic(bodies, slot) && bodies.rows[slot].awake)
@@ -101,7 +101,7 @@ void sleep_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, con
         longest = std::max(longest, b.still_time);
     }
     if (!allowed || longest < kTimeToSleep) return;
-    if (!solver.islands_known) find_islands(solver, bodies, contacts, joints, forces);
+    if (!solver.islands_known) find_islands(solver.island_of, bodies, contacts, joints, forces);
     solver.island_still.assign(bodies.slots.size(), 1e30f);
     for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
         const Body& b = bodies.rows[slot];

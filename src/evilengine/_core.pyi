@@ -1872,9 +1872,9 @@ class Scene:
         The frame at alpha (0..1) between the last two steps; good until the next one.
         """
 
-    def debug(self, world: World, view: tuple[float, float, float, float, float, float], alpha: float, points: float, colours: Sequence[int], velocities: bool) -> tuple[int, int, int]:
+    def debug(self, world: World, view: tuple[float, float, float, float, float, float], alpha: float, points: float, inks: Sequence[int], parts: Sequence[bool]) -> tuple[int, int, int, int, int]:
         """
-        Put the debug view on top of the collected frame; how many bodies, sleepers and contacts there are.
+        Put the debug view on top of the collected frame; the numbers of bodies, sleepers, contacts, joints, islands.
         """
 
     def arrow(self, x1: float, y1: float, x2: float, y2: float, width: float, colour: int) -> None: ...

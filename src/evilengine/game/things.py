@@ -7,7 +7,7 @@ from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any, cast
 
 from evilengine.assets import Pictures
-from evilengine.scene import LOOKS, Camera, Drawing, DrawnBody, Scene, Text
+from evilengine.scene import LOOKS, Camera, DebugView, Drawing, DrawnBody, Scene, Text
 from evilengine.scene.camera import POINTS_A_METRE
 from evilengine.scene.drawing import DEEPEST_LAYER
 from evilengine.values.checks import did_you_mean, known_keywords, number
@@ -141,3 +141,13 @@ class Things:
     @debug.setter
     def debug(self, on: bool) -> None:
         self.scene.debug = bool(on)
+
+    @property
+    def debug_view(self) -> DebugView:
+        """What the debug view shows when it is on, and in which colours.
+
+        >>> import evilengine as evil
+        >>> game = evil.Game(headless=True)
+        >>> game.debug = game.debug_view.velocities = True
+        """
+        return self.scene.debug_view

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 from evilengine.scene.camera import Matrix6
 from evilengine.scene.text import Fonts, layout
+from evilengine.values.checks import one_of
 from evilengine.values.colour import ColourLike, to_colour
 from evilengine.values.vec2 import Vec2
 
@@ -19,6 +21,17 @@ DIAL = 30.0  # radius of the dial that shows gravity, and all lengths below: log
 MARGIN = 12.0
 LEGEND_SIZE = 13.0
 
+PARTS = ("shapes", "contacts", "impulses", "joints", "bounds", "islands", "centres", "velocities")
+"""What of a world can be shown; in the order of Part in core/draw/debug.hpp."""
+INKS = (
+    "static", "kinematic", "awake", "asleep", "sensor", "medium", "contact", "impulse", "joint", "bound", "centre",
+    "velocity",
+)  # fmt: skip
+"""Whose colours the core is told; in the order of Ink there."""
+
+Counts: TypeAlias = tuple[int, int, int, int, int]
+"""Bodies, sleepers, contacts, joints, islands."""
+
 
 def _packed(colour: ColourLike) -> int:
     return to_colour(colour, "DebugView", "colour").rgba8
@@ -26,24 +39,73 @@ def _packed(colour: ColourLike) -> int:
 
 @dataclass(slots=True)
 class DebugView:
-    """How the debug view looks; `scene.debug = True` shows it."""
+    """What the debug view shows, and how; `game.debug = True` shows it, `game.debug_view` is this.
+
+    Each part is on or off by itself: shapes, contacts, joints and centres are on at first.
+
+    >>> import evilengine as evil
+    >>> game = evil.Game(headless=True)
+    >>> game.debug = True
+    >>> game.debug_view.bounds = game.debug_view.islands = True
+    >>> game.debug_view.shown
+    ('shapes', 'contacts', 'joints', 'bounds', 'islands', 'centres')
+    """
+
+    shapes: bool = True
+    """Outlines of shapes, in the colour of what their body does, and the areas of media."""
+    contacts: bool = True
+    """Points where shapes touch, with the normal, from the first body to the second."""
+    impulses: bool = False
+    """How hard contacts push, friction with it. As long as a normal: enough to hold the lighter body up. An arrow twice
+    as long stands for four times the push, since pushes within one heap differ so much."""
+    joints: bool = True
+    """What ties bodies together: pins with the arc of their limits, rails, springs as coils, ropes that hang, and which
+    way motors turn. A joint that may break takes the colour of contacts as it comes near that."""
+    bounds: bool = False
+    """Boxes round the convex pieces that shapes are made of."""
+    islands: bool = False
+    """Bodies that wake and sleep together have one colour, darker while they sleep, and a box round them."""
+    centres: bool = True
+    """Centres of mass."""
+    velocities: bool = False
+    """Arrows from each body's centre of mass to where it would be in a tenth of a second."""
+    dial: bool = True
+    """The dial at the top right, with which way and how strongly gravity pulls."""
+    legend: bool = True
+    """The line that says what the colours mean, and counts."""
 
     static: ColourLike = "#9db2cf"
     kinematic: ColourLike = "#cf9bff"
     awake: ColourLike = "#86f7a0"
     asleep: ColourLike = "#6f7f99"
-    contact: ColourLike = "#ff6b6b"
-    centre: ColourLike = "#ffffff"
-    velocity: ColourLike = "#6cc4ff"
     sensor: ColourLike = "#ffb86c"
     medium: ColourLike = "#3f8fd2"
+    contact: ColourLike = "#ff6b6b"
+    impulse: ColourLike = "#ff9ff3"
+    joint: ColourLike = "#5ce1e6"
+    bound: ColourLike = "#7a5cc0"
+    centre: ColourLike = "#ffffff"
+    velocity: ColourLike = "#6cc4ff"
     gravity: ColourLike = "#ffd75e"
     veil: ColourLike = "#0c1018b0"
     """Lies over the world and under the lines, so that they stand out whatever the colours below."""
-    velocities: bool = False
-    """Arrows from each body's centre of mass to where it would be in a tenth of a second."""
-    legend: bool = True
-    """The line that says what the colours mean and counts bodies and contacts."""
+
+    @property
+    def shown(self) -> tuple[str, ...]:
+        """The names of the parts that are on."""
+        return tuple(part for part in PARTS if getattr(self, part))
+
+    def show(self, parts: Iterable[str]) -> None:
+        """Turn these parts on and the others off. Raises ArgumentError for one that there is not.
+
+        >>> view = DebugView()
+        >>> view.show(["joints", "islands"])
+        >>> view.shown
+        ('joints', 'islands')
+        """
+        wanted = [one_of(part, "DebugView.show", "part", PARTS) for part in parts]
+        for part in PARTS:
+            setattr(self, part, part in wanted)
 
     def draw(
         self,
@@ -56,11 +118,11 @@ class DebugView:
         scale: float,
     ) -> None:
         """Put it on top of the collected frame, seen through `view`; `screen` in pixels, `scale` of them a point."""
-        bodies = (self.static, self.kinematic, self.awake, self.asleep)
-        palette = (*bodies, self.contact, self.centre, self.velocity, self.sensor, self.medium)
         core.box(0.0, 0.0, screen[0], screen[1], _packed(self.veil))
-        counts = core.debug(world._core, view, alpha, scale, [_packed(one) for one in palette], self.velocities)
-        self._draw_gravity(core, world.gravity, view, screen, scale)
+        inks = [_packed(getattr(self, ink)) for ink in INKS]
+        counts = core.debug(world._core, view, alpha, scale, inks, [bool(getattr(self, part)) for part in PARTS])
+        if self.dial:
+            self._draw_gravity(core, world.gravity, view, screen, scale)
         if self.legend and fonts is not None:
             self._draw_legend(core, world, fonts, counts, screen, scale)
 
@@ -75,25 +137,31 @@ class DebugView:
         reach = on_screen * (0.85 * radius * min(gravity.length / EARTH, 1.0))
         core.arrow(x - reach.x, y - reach.y, x + reach.x, y + reach.y, 3.0 * scale, _packed(self.gravity))
 
+    def _legend(self, world: World, counts: Counts) -> list[tuple[ColourLike | None, str]]:
+        """Colours with what they stand for, of what is shown."""
+        bodies, asleep, contacts, joints, islands = counts
+        states = [(self.awake, "awake"), (self.asleep, f"asleep {asleep}")] if not self.islands else []
+        standing = [(self.static, "static"), (self.kinematic, "kinematic")]
+        words: list[tuple[ColourLike | None, str]] = [*states, *standing] if self.shapes else []
+        words += [(self.contact, f"contacts {contacts}")] if self.contacts else []
+        words += [(self.impulse, "impulses")] if self.impulses else []
+        words += [(self.joint, f"joints {joints}")] if self.joints and joints else []
+        words += [(self.bound, "bounds")] if self.bounds else []
+        words += [(self.velocity, "velocities")] if self.velocities else []
+        words += [(self.gravity, f"gravity {world.gravity.length:.1f}")] if self.dial else []
+        counted = f"   islands {islands}" if self.islands else ""
+        return [*words, (None, f"bodies {bodies}{counted}   step {world.steps}")]
+
     def _draw_legend(
         self,
         core: CoreScene,
         world: World,
         fonts: Fonts,
-        counts: tuple[int, int, int],
+        counts: Counts,
         screen: tuple[int, int],
         scale: float,
     ) -> None:
-        bodies, asleep, contacts = counts
-        words: list[tuple[ColourLike | None, str]] = [
-            (self.awake, "awake"),
-            (self.asleep, f"asleep {asleep}"),
-            (self.static, "static"),
-            (self.kinematic, "kinematic"),
-            (self.contact, f"contacts {contacts}"),
-            (self.gravity, f"gravity {world.gravity.length:.1f}"),
-            (None, f"bodies {bodies}   step {world.steps}"),
-        ]
+        words = self._legend(world, counts)
         texture, font = fonts(max(round(LEGEND_SIZE * scale), 6))
         left, line = float(round(MARGIN * scale)), font.line_height
         top = float(round(screen[1] - MARGIN * scale - line))
