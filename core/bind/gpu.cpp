@@ -49,13 +49,18 @@ public:
         frame_->edges.resize((frame_->edges.size() + gpu::kRow - 1) / gpu::kRow * gpu::kRow); // uploaded by whole rows
         nb::list batches;
         for (const gpu::Batch& batch : frame_->batches) {
+            if (batch.specks) {
+                batches.append(nb::make_tuple(batch.first, batch.count, nb::none(), batch.disc + 2 * batch.adds));
+                continue;
+            }
             nb::list textures;
             for (std::uint32_t i = 0; i < batch.units; ++i) textures.append(batch.textures[i]);
-            batches.append(nb::make_tuple(batch.first, batch.count, nb::tuple(textures), batch.facets));
+            batches.append(nb::make_tuple(batch.first, batch.count, nb::tuple(textures), int{batch.facets}));
         }
         return batches;
     }
 
+    Memory specks() const { return memory_of(frame_, frame_->specks); }
     Memory quads() const { return memory_of(frame_, frame_->quads); }
     Memory edges() const { return memory_of(frame_, frame_->edges); }
     Memory shapes() const { return memory_of(shapes_, shapes_->texels); }
@@ -92,8 +97,10 @@ void register_gpu(nb::module_& module) {
         .def("drop", &Batcher::drop, nb::arg("texture"), "Draw what names this picture without one from now on.")
         .def("collect", &Batcher::collect, nb::arg("list"), nb::arg("width"), nb::arg("height"),
              nb::sig("def collect(self, list: DrawList, width: int, height: int) -> "
-                     "list[tuple[int, int, tuple[int, ...], bool]]"),
-             "A frame as draw calls: the first quad, how many, their pictures by unit, and whether any has facets.")
+                     "list[tuple[int, int, tuple[int, ...] | None, int]]"),
+             "A frame as draw calls: the first quad, how many, their pictures by unit, and whether any has facets; or "
+             "the first speck, how many, None, and 1 for discs plus 2 for what adds light.")
+        .def_prop_ro("specks", &Batcher::specks, "The frame's specks; see core/draw/specks.hpp.")
         .def_prop_ro("quads", &Batcher::quads, "The frame's quads; see core/gpu/quads.hpp.")
         .def_prop_ro("edges", &Batcher::edges,
                      "Edges made for this frame, in pixels: texels that follow those of `shapes`.")

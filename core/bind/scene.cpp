@@ -2,6 +2,7 @@
 // it composes the words of errors about drawings, so here they are short.
 #include "draw/scene.hpp"
 #include "bind/convert.hpp"
+#include "bind/scene.hpp"
 #include "bind/shapes.hpp"
 #include "draw/debug.hpp"
 #include "draw/saving.hpp"
@@ -23,30 +24,13 @@ using namespace draw;
 
 constexpr const char* kOwner = "Scene.add";
 
-struct SceneBox { // what Python holds
-    draw::Scene scene;
-    std::shared_ptr<DrawList> list = std::make_shared<DrawList>();
-    std::optional<Overlay> overlay; // of the frame being collected
-    std::vector<Glyph> glyphs;      // scratch
-};
-
 using Reference = std::tuple<std::uint32_t, std::uint32_t>; // slot, generation
 using MaybeReference = std::optional<Reference>;
-using Matrix6 = std::tuple<float, float, float, float, float, float>; // a b c d tx ty
 
 Drawing& drawing_at(SceneBox& box, std::uint32_t slot, std::uint32_t generation) {
     if (!box.scene.slots.alive(DrawingRef{slot, generation}))
         raise(ErrorKind::stale_reference, "this Drawing was destroyed; ask drawing.alive first");
     return box.scene.drawings[slot];
-}
-
-Affine to_affine(const Matrix6& matrix) {
-    const auto& [a, b, c, d, tx, ty] = matrix;
-    return {a, b, c, d, tx, ty};
-}
-
-float part_of_step(double alpha) {
-    return std::isfinite(alpha) ? static_cast<float>(std::clamp(alpha, 0.0, 1.0)) : 1.0f;
 }
 
 [[noreturn]] void raise_count(const char* argument, std::size_t given, std::size_t corners) {
@@ -143,11 +127,6 @@ template <auto member> auto set_matrix() {
     return [](SceneBox& box, std::uint32_t slot, std::uint32_t generation, const Matrix6& matrix) {
         drawing_at(box, slot, generation).*member = to_affine(matrix);
     };
-}
-
-const Overlay& overlay_of(SceneBox& box) {
-    if (!box.overlay) raise(ErrorKind::argument, "Scene: collect() comes before what lies on top of it");
-    return *box.overlay;
 }
 
 std::shared_ptr<DrawList> collect_frame(SceneBox& box, const World& world, const Matrix6& view, double alpha,

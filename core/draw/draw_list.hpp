@@ -1,6 +1,7 @@
 #pragma once
 // What the scene hands to a renderer: geometry that is shared, and one instance for each thing to draw, back to front.
 // A renderer reads this and nothing else of the engine.
+#include "draw/specks.hpp"
 #include "math/transform.hpp"
 #include <cstdint>
 #include <span>
@@ -38,11 +39,18 @@ struct Instance {
     float outline = 0.0f; // 0: filled; otherwise only a stroke of this many pixels, centred on the edge
 };
 
+struct LayerStart { // where a layer's instances begin
+    std::int32_t layer = 0;
+    std::uint32_t first = 0;
+};
+
 struct DrawList {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
     std::vector<Mesh> meshes;
     std::vector<Instance> instances; // sorted: layer, then order of creation
+    std::vector<LayerStart> layers;  // those that have instances, back to front
+    Specks specks;                   // between the instances
 };
 
 inline void clear(DrawList& list) { // keeps the memory for the next frame
@@ -50,6 +58,8 @@ inline void clear(DrawList& list) { // keeps the memory for the next frame
     list.indices.clear();
     list.meshes.clear();
     list.instances.clear();
+    list.layers.clear();
+    list.specks.clear();
 }
 
 // Whether everything that the mesh names is there: a renderer draws nothing else.

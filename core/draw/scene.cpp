@@ -96,12 +96,16 @@ void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affin
     out.indices.resize(scene.meshes.indices().size());
     out.meshes.resize(scene.meshes.meshes().size());
     out.instances.clear();
+    out.layers.clear();
+    out.specks.clear();
 
     for (const DrawingRef ref : scene.order) {
         const Drawing& drawing = scene.drawings[ref.slot];
         if (!drawing.visible) continue;
         const Affine to_pixel = compose(view, placed(drawing, poses, shapes, alpha));
         if (!is_finite(to_pixel)) continue; // too far away for a float; nothing of it would be on the picture
+        if (out.layers.empty() || out.layers.back().layer != drawing.layer)
+            out.layers.push_back({drawing.layer, static_cast<std::uint32_t>(out.instances.size())});
         out.instances.push_back({to_pixel, drawing.texture_matrix, drawing.mesh, drawing.texture, drawing.tint, 0.0f});
         if (drawing.edge_width > 0.0f)
             out.instances.push_back(

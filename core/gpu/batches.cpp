@@ -343,16 +343,37 @@ void put_instance(Context& context, const draw::Instance& instance) {
         put_polygon(context, look, instance, shape);
 }
 
+// A draw call of its own, in the midst of those of quads.
+void put_specks(Frame& frame, const draw::SpeckRun& run) {
+    if (frame.batches.back().count == 0) frame.batches.pop_back();
+    Batch batch;
+    batch.first = run.first, batch.count = run.count, batch.specks = true;
+    batch.disc = run.form == draw::SpeckForm::disc, batch.adds = run.adds;
+    frame.batches.push_back(batch);
+    Batch next;
+    next.first = static_cast<std::uint32_t>(frame.quads.size());
+    frame.batches.push_back(next);
+}
+
 } // namespace
 
 void collect(Frame& frame, Shapes& shapes, Scratch& scratch, const draw::DrawList& list, const std::vector<bool>& held,
              int width, int height) {
     update(shapes, list);
     frame.quads.clear(), frame.edges.clear();
+    frame.specks = list.specks.rows;
     frame.batches.assign(1, {});
     Context context{frame, shapes, scratch, list, held, {0, 0, width, height}};
-    for (const draw::Instance& instance : list.instances)
+    auto run = list.specks.runs.begin();
+    const auto put_runs = [&](std::size_t before) {
+        for (; run != list.specks.runs.end() && run->before <= before; ++run) put_specks(frame, *run);
+    };
+    for (std::size_t i = 0; i < list.instances.size(); ++i) {
+        put_runs(i);
+        const draw::Instance& instance = list.instances[i];
         if (instance.mesh < list.meshes.size()) put_instance(context, instance);
+    }
+    put_runs(list.instances.size());
     if (frame.batches.back().count == 0) frame.batches.pop_back();
 }
 

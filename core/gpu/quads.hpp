@@ -1,6 +1,7 @@
 #pragma once
 // What a graphics card is given for one frame: a quad round each thing to draw, in runs that one draw call can take, and
 // the edges and facets that its fragment shader reads. renderer/shaders/shape.vert and shape.frag say what they do with it.
+#include "draw/specks.hpp"
 #include "math/transform.hpp"
 #include <array>
 #include <cstdint>
@@ -58,8 +59,10 @@ inline constexpr std::uint32_t to_how(Cover cover, std::uint32_t flags, std::uin
     return static_cast<std::uint32_t>(cover) | flags << 4 | facets << 16;
 }
 
-struct Batch { // quads of one draw call
+struct Batch { // quads of one draw call, or a run of the list's specks
     std::uint32_t first = 0, count = 0;
+    bool specks = false; // first and count are in Frame::specks then
+    bool disc = false, adds = false;
     bool facets = false;     // whether any of them has some
     std::uint32_t units = 0; // how many of `textures` are in use
     std::array<std::uint32_t, kUnits> textures{};
@@ -67,6 +70,7 @@ struct Batch { // quads of one draw call
 
 struct Frame { // results: valid until the next one
     std::vector<Quad> quads;
+    std::vector<draw::Speck> specks; // the draw list's
     std::vector<Batch> batches;
     std::vector<Texel>
         edges; // x0 y0 x1 y1 in pixels, for Cover::pixel_edges; they follow the meshes' in the data texture

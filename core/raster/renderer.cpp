@@ -1,4 +1,5 @@
 #include "raster/renderer.hpp"
+#include "raster/specks.hpp"
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -122,11 +123,20 @@ void render(const draw::DrawList& list, draw::Rgba8 background, std::span<const 
 
     std::vector<bool> sound(list.meshes.size());
     for (std::size_t i = 0; i < list.meshes.size(); ++i) sound[i] = draw::is_sound(list, list.meshes[i]);
-    for (const draw::Instance& instance : list.instances) {
+    std::size_t next_run = 0;
+    const auto draw_runs = [&](std::size_t before) {
+        const std::vector<draw::SpeckRun>& runs = list.specks.runs;
+        for (; next_run < runs.size() && runs[next_run].before <= before; ++next_run)
+            draw_specks(list.specks, runs[next_run], target, set);
+    };
+    for (std::size_t i = 0; i < list.instances.size(); ++i) {
+        draw_runs(i);
+        const draw::Instance& instance = list.instances[i];
         if (instance.mesh >= list.meshes.size() || !sound[instance.mesh]) continue;
         const bool found = instance.texture != draw::kNoTexture && instance.texture < textures.size();
         draw_instance(list, instance, found ? &textures[instance.texture] : nullptr, target, scratch, set);
     }
+    draw_runs(list.instances.size());
 }
 
 void unpremultiply(std::span<Pixel> pixels) noexcept {

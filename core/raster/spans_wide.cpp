@@ -237,4 +237,48 @@ void modulate_flat_wide(Pixel* row, int count, Pixel by) noexcept {
     }
 }
 
+// What a pixel gets of a speck, 0..255, at (u, v), where the rim is at a distance of 1. A disc's edge fades over a pixel:
+// how far the rim is, to first order, is 1 - distance over the slope of the distance.
+static EVIL_INLINE Ints cover_of_speck(Floats u, Floats v, const raster::SpeckPaint& paint) {
+    const Floats squared = u * u + v * v;
+    if (!paint.disc) {
+        const Floats inside = max(Floats(1.0f) - squared, 0.0f);
+        return round_to_int(inside * inside * 255.0f);
+    }
+    const Floats distance = sqrt(squared), across = u * paint.along, down = v * paint.across;
+    const Floats slope = sqrt(across * across + down * down) / max(distance, 1e-6f);
+    const Floats depth = (Floats(1.0f) - distance) / max(slope, 1e-6f);
+    return round_to_int(clamp(depth + 0.5f, 0.0f, 1.0f) * 255.0f);
+}
+
+// What adds light has no alpha, so that sums may pass 255: they stop there.
+static EVIL_INLINE Ints added(Channels source, Ints destination) {
+    const Channels under = split(destination);
+    Ints sums[2] = {source.rb + under.rb, source.ga + under.ga};
+    for (Ints& sum : sums) {
+        const Ints past = shift_right_unsigned(sum, 8) & 0x00010001;
+        sum = (sum | ((past << 8) - past)) & kPair;
+    }
+    return join({sums[0], sums[1]});
+}
+
+void speck_wide(const raster::Target& target, const raster::SpeckPaint& paint) noexcept {
+    const Channels source = split(Ints(static_cast<std::int32_t>(paint.colour)));
+    const bool adds = (paint.colour >> 24) == 0;
+    const Floats lanes = to_float(lane_numbers());
+    const int count = paint.box.right - paint.box.left;
+    for (int y = paint.box.top; y < paint.box.bottom; ++y) {
+        const float down = static_cast<float>(y - paint.box.top);
+        Pixel* row = target.pixels + static_cast<std::int64_t>(y) * target.width + paint.box.left;
+        for (int i = 0; i < count; i += 8) {
+            const Floats across = lanes + static_cast<float>(i);
+            const Ints cover = cover_of_speck(across * paint.u_x + (paint.u + down * paint.u_y),
+                                              across * paint.v_x + (paint.v + down * paint.v_y), paint);
+            const Ints under = load_some(row + i, count - i);
+            const Channels share = multiply_255(source, cover);
+            store_some(row + i, count - i, adds ? added(share, under) : over(share, under));
+        }
+    }
+}
+
 } // namespace evil::EVIL_ISA

@@ -2,6 +2,7 @@
 // One copy of each inner loop for each instruction set; spans.hpp says what they do.
 #include "math/cpu.hpp"
 #include "raster/spans.hpp"
+#include "raster/specks.hpp"
 
 namespace evil {
 
@@ -16,7 +17,8 @@ std::int32_t integrate_wide(std::int32_t* cells, int count, std::int32_t sum, st
 void ramp_wide(raster::Pixel* to, int count, const raster::Ramp& colours) noexcept;
 void sample_wide(raster::Pixel* to, int count, const raster::Walk& walk) noexcept;
 void modulate_wide(raster::Pixel* row, const raster::Pixel* by, int count) noexcept;
-void modulate_flat_wide(raster::Pixel* row, int count, raster::Pixel by) noexcept;)
+void modulate_flat_wide(raster::Pixel* row, int count, raster::Pixel by) noexcept;
+void speck_wide(const raster::Target& target, const raster::SpeckPaint& paint) noexcept;)
 // clang-format on
 
 } // namespace evil

@@ -1761,10 +1761,14 @@ class Batcher:
     def drop(self, texture: int) -> None:
         """Draw what names this picture without one from now on."""
 
-    def collect(self, list: DrawList, width: int, height: int) -> list[tuple[int, int, tuple[int, ...], bool]]:
+    def collect(self, list: DrawList, width: int, height: int) -> list[tuple[int, int, tuple[int, ...] | None, int]]:
         """
-        A frame as draw calls: the first quad, how many, their pictures by unit, and whether any has facets.
+        A frame as draw calls: the first quad, how many, their pictures by unit, and whether any has facets; or the first speck, how many, None, and 1 for discs plus 2 for what adds light.
         """
+
+    @property
+    def specks(self) -> Memory:
+        """The frame's specks; see core/draw/specks.hpp."""
 
     @property
     def quads(self) -> Memory:
@@ -1887,6 +1891,47 @@ class Scene:
         """
         A row of textured boxes on top: eight float32 each, left top right bottom in pixels and in the texture.
         """
+
+class Emitter:
+    """Particles; evilengine.scene.particles is the face."""
+
+    def __init__(self) -> None: ...
+
+    def seed(self, seed: int) -> None: ...
+
+    def define(self, *, body: tuple[int, int] | None, at: tuple[float, float], direction: float, cone: float, rate: float, half: tuple[float, float], radius: float, life: tuple[float, float], speed: tuple[float, float], spin: tuple[float, float], varies: float, gravity_scale: float, drag: float, wind: tuple[float, float], collides: bool, dies: bool, bounce: float, friction: float, mask: int, most: int) -> None: ...
+
+    def show(self, *, size: Sequence[float], pace: Sequence[float], colour: Sequence[int], soft: bool, adds: bool, stretch: float, texture: int, layer: int) -> None: ...
+
+    @property
+    def running(self) -> bool: ...
+
+    @running.setter
+    def running(self, arg: bool, /) -> None: ...
+
+    @property
+    def count(self) -> int: ...
+
+    def clear(self) -> None: ...
+
+    def step(self, world: World, dt: float) -> None: ...
+
+    def burst(self, world: World, count: int) -> None: ...
+
+    def collect(self, scene: Scene, view: tuple[float, float, float, float, float, float], alpha: float, dt: float, screen: tuple[float, float]) -> None:
+        """
+        Put them into the frame that the scene collected; emitters in the order of layers.
+        """
+
+    def positions(self) -> list[tuple[float, float]]: ...
+
+    def velocities(self) -> list[tuple[float, float]]: ...
+
+    def snapshot(self) -> bytes: ...
+
+    def restore(self, data: bytes) -> None: ...
+
+KNOTS: int = 64
 
 class Sample:
     """A sound in memory: 32-bit floats, one or two channels, any rate."""

@@ -201,6 +201,7 @@ class Game(Life, GameScreen, Controls, Things):
             if self.tilt:
                 self._turn_gravity(self._inputs.tilt.direction)
             self.world.step(STEP)
+            self.scene.step()
         finally:
             self._busy = ""
         self._note_step()

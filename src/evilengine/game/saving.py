@@ -84,6 +84,7 @@ def to_bytes(game: Game, origin: str = "") -> bytes:
         return _method(function) or game._functions.name_of(function, f"Game.save: {where}")
 
     drawings, scene = looks.state_of(game.scene)
+    emitters, particles = looks.emitters_state(game.scene)
     tilted = None if game._tilted is None else [list(each) for each in game._tilted]
     about = {"title": game.title, "engine": VERSION, "origin": origin}
     rest: dict[str, Any] = {
@@ -94,6 +95,7 @@ def to_bytes(game: Game, origin: str = "") -> bytes:
         "strength": game._strength,
         "camera": looks.camera_state(game.camera),
         "scene": scene,
+        "emitters": emitters,
         "timer": timers.state_of(game.timer, lambda call, where: name_of(call, f"game.timer, {where}")),
         "behaviours": behaviours.state_of(game.world, name_of),
         "interaction": game._interaction.state(),
@@ -107,6 +109,7 @@ def to_bytes(game: Game, origin: str = "") -> bytes:
             "game": _json(rest),
             "world": world,
             "drawings": drawings,
+            "particles": b"".join(particles),
             "random": _random_state(game),
             "inputs": inputs_code.encode(game.inputs),
         }
@@ -140,6 +143,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
     worlds.check_notes(game.world, world.notes)
     bodies, shapes, forces, joints = (set(slots) for slots in world.slots)
     scene = looks.SceneState(game.scene, sections["drawings"], state["scene"])
+    emitters = looks.read_emitters(game.scene, state.get("emitters", []), sections.get("particles", b""), bodies)
     none = _core.NO_SLOT
     bodies_and_none, shapes_and_none = bodies | {none}, shapes | {none}
     if not all(body in bodies_and_none and shape in shapes_and_none for _, body, shape in scene.places):
@@ -190,6 +194,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
     def put() -> None:
         worlds.become(game.world, world)
         scene.put()
+        emitters.put(game.world._body)
         on_bodies()
         timer()
         waiting = {event._order: event for event in game.timer.events}

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import inspect
+import random
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any, cast
 
 from evilengine.assets import Pictures
-from evilengine.scene import LOOKS, Camera, DebugView, Drawing, DrawnBody, Scene, Text
+from evilengine.scene import LOOKS, Camera, DebugView, Drawing, DrawnBody, Emitter, Scene, Text
 from evilengine.scene.camera import POINTS_A_METRE
 from evilengine.scene.drawing import DEEPEST_LAYER
+from evilengine.scene.particles import add_particles
 from evilengine.values.checks import did_you_mean, known_keywords, number
 from evilengine.values.colour import ColourLike
 from evilengine.values.errors import ArgumentTypeError, AssetError
@@ -31,6 +33,7 @@ class Things:
     scene: Scene
     camera: Camera
     folder: Path
+    random: random.Random
     _pictures: Pictures
 
     def add(self, shape: Any, **options: Any) -> DrawnBody:
@@ -86,6 +89,18 @@ class Things:
         width, points = self._pictures.size(image)
         high = points / POINTS_A_METRE if height is None else number(height, "Game.sprite", "height", above=0.0)
         return self.scene.add(Rectangle(high * width / points, high), texture=image, **options)
+
+    def add_particles(self, *, body: Any = None, **settings: Any) -> Emitter:
+        """Add a particle effect: sparks, smoke, rain. Takes what an Emitter can be told, and the `body` it follows.
+
+        It takes its chances from `game.random`, so that a game that is played again shows the same.
+
+        >>> game = evil.Game(headless=True)
+        >>> smoke = game.add_particles(at=(0, 1), rate=20, size=[0.2, 1.5], colour=["#8888", "#8880"])
+        >>> game.step(60); smoke.count
+        20
+        """
+        return add_particles(self.scene, self.random.getrandbits(64), body, settings)
 
     def text(self, text: object, **options: Any) -> Text:
         """Put a line of text on the screen, `at` logical points from its top left corner."""

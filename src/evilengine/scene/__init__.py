@@ -4,7 +4,8 @@ from evilengine.scene.camera import Camera
 from evilengine.scene.debug import DebugView
 from evilengine.scene.drawing import Drawing
 from evilengine.scene.drawn_body import LOOKS, DrawnBody
+from evilengine.scene.particles import Emitter
 from evilengine.scene.scene import Scene
 from evilengine.scene.text import Text
 
-__all__ = ["LOOKS", "Camera", "DebugView", "Drawing", "DrawnBody", "Scene", "Text"]
+__all__ = ["LOOKS", "Camera", "DebugView", "Drawing", "DrawnBody", "Emitter", "Scene", "Text"]

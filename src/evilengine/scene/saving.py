@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from evilengine import _core
 from evilengine.scene.camera import Camera
 from evilengine.scene.drawing import Drawing
+from evilengine.scene.particles import EmittersState
 from evilengine.scene.text import Text
 from evilengine.values.colour import Colour
 
@@ -103,6 +104,22 @@ class SceneState:
         for text in known.values():
             text.destroy()
         scene._texts, scene._texts_made = texts, self._texts_made
+
+
+def emitters_state(scene: Scene) -> tuple[list[dict[str, Any]], list[bytes]]:
+    """What each emitter was told, and its particles as bytes."""
+    particles = [emitter._core.snapshot() for emitter in scene._emitters]
+    rows = [emitter._state() for emitter in scene._emitters]
+    return [{**row, "bytes": len(data)} for row, data in zip(rows, particles, strict=True)], particles
+
+
+def read_emitters(scene: Scene, rows: list[dict[str, Any]], data: bytes, bodies: set[int]) -> EmittersState:
+    """Read what `emitters_state` gave; the particles one after the other."""
+    particles, at = [], 0
+    for row in rows:
+        particles.append(data[at : at + int(row["bytes"])])
+        at += int(row["bytes"])
+    return EmittersState(scene, rows, particles, bodies)
 
 
 def camera_state(camera: Camera) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from evilengine.scene.camera import Camera
 from evilengine.scene.debug import DebugView
 from evilengine.scene.drawing import Drawing, placement, to_layer, to_matrix6
 from evilengine.scene.drawn_body import DrawnBody, show
+from evilengine.scene.particles import Emitter
 from evilengine.scene.text import Fonts, Text
 from evilengine.values.checks import known_keywords, number
 from evilengine.values.colour import BACKGROUND, PALETTE, STONE, WHITE, Colour, ColourLike, to_colour
@@ -68,6 +69,8 @@ class Scene:
         self._textures = textures
         self._fonts = fonts
         self._texture_names: dict[int, str] = {}
+        self._emitters: list[Emitter] = []
+        self._emitters_made = 0
         self._texts: list[Text] = []
         self._texts_made = 0
         self._overlay: list[Text] = []
@@ -183,13 +186,25 @@ class Scene:
         self._overlay.append(line)
         return line
 
+    @property
+    def emitters(self) -> tuple[Emitter, ...]:
+        """The particle effects, in the order in which they were made."""
+        return tuple(self._emitters)
+
+    def step(self) -> None:
+        """What moves by itself moves on by one step of the world, after that: particles."""
+        for emitter in tuple(self._emitters):
+            emitter._step()
+
     def clear(self) -> None:
-        """Take away every drawing and text, and the background; what `overlay` put on the screen stays."""
+        """Take away every drawing, text and emitter, and the background; what `overlay` put on the screen stays."""
         nothing = _core.SavedScene(_core.Scene().snapshot(self.world._core)[0])
         self._core.restore(nothing, self.world._core, [])
         for text in self._texts:
             if text.alive:
                 text.destroy()
+        for emitter in tuple(self._emitters):
+            emitter.destroy()
         self._texts, self._restored, self._from_palette, self.background = [], {}, 0, BACKGROUND
         self._restores += 1
 
@@ -219,6 +234,8 @@ class Scene:
             scale = min(width / camera.size[0], height / camera.size[1])
         view = camera.matrix(screen, scale)
         content = self._core.collect(self.world._core, view, alpha, scale)
+        for emitter in sorted(self._emitters, key=lambda each: each.layer):
+            emitter._collect(view, alpha, screen)
         if self.debug:
             self.debug_view.draw(self._core, self.world, self._fonts, view, alpha, screen, scale)
         if self.graph is not None and overlay:

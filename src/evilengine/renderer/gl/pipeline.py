@@ -30,6 +30,17 @@ INSTANCE = Layout(
 """A Quad of core/gpu/quads.hpp, field by field."""
 
 
+SPECK = Layout(
+    24,
+    (
+        Attribute("float", 4, 0),  # middle, half axis
+        Attribute("float", 1, 16),  # the other half axis
+        Attribute("uint", 1, 20),  # colour
+    ),
+)
+"""A Speck of core/draw/specks.hpp, field by field."""
+
+
 class _Shapes:
     """The data texture: the meshes' rows, then those that are made for a frame. It grows by doubling."""
 
@@ -64,6 +75,7 @@ class Pipeline:
         self._pictures: dict[int, Texture] = {}
         self._programs: dict[tuple[int, bool], Program] = {}  # by how many pictures a draw call mixes, and facets
         self._quads = device.buffer()
+        self._specks = device.buffer()
         self._shapes = _Shapes(device)
         for pictures in MIXES[:2]:  # compiled now, so that no frame waits for it, and errors come at the start
             self._program(pictures, False)
@@ -105,11 +117,17 @@ class Pipeline:
         if batches:
             self._quads.write(quads, len(quads))
             self._shapes.write(self._batcher)
-        for first, quad_count, pictures, facets in batches:
+        specks = self._batcher.specks
+        if len(specks):
+            self._specks.write(specks, len(specks))
+        for first, count, pictures, look in batches:
+            if pictures is None:
+                self._draw_specks(target, first, count, look)
+                continue
             self.device.draw(
                 target,
-                self._program(next(count for count in MIXES if count >= len(pictures)), facets),
-                instances=(self._quads, INSTANCE, first, quad_count),
+                self._program(next(mix for mix in MIXES if mix >= len(pictures)), bool(look)),
+                instances=(self._quads, INSTANCE, first, count),
                 textures=[
                     ("shapes", self._shapes.texture),
                     *((f"picture{unit}", self._pictures[texture]) for unit, texture in enumerate(pictures)),
@@ -118,6 +136,16 @@ class Pipeline:
             )
         self.draw_calls = len(batches)
         self.device.check()
+
+    def _draw_specks(self, target: Target, first: int, count: int, look: int) -> None:
+        disc, adds = look & 1, look >> 1
+        self.device.draw(
+            target,
+            self.device.program(shaders.load("speck.vert"), shaders.load("speck.frag"), {"DISC": disc, "ADDS": adds}),
+            instances=(self._specks, SPECK, first, count),
+            textures=[],
+            uniforms={"target_size": (float(target.size[0]), float(target.size[1]))},
+        )
 
     def show(self, size: tuple[int, int]) -> None:
         """Put the last frame on the window, `size` pixels large."""
@@ -144,7 +172,7 @@ class Pipeline:
 
     def release(self) -> None:
         """Give back everything that this made."""
-        for thing in (*self._pictures.values(), self._shapes.texture, self._quads, self.target):
+        for thing in (*self._pictures.values(), self._shapes.texture, self._quads, self._specks, self.target):
             if thing is not None:
                 thing.release()
         self._pictures.clear()

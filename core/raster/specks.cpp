@@ -1,0 +1,47 @@
+#include "raster/specks.hpp"
+#include "raster/spans_wide.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace evil::raster {
+namespace {
+
+// The box round the ellipse, cut to the target, and how its own coordinates change over it. False if nothing is left.
+bool place(SpeckPaint& paint, const draw::Speck& speck, bool disc, const Target& target) {
+    const float along = length(speck.along), across = speck.across;
+    if (!(along > 0.0f && across > 0.0f && along < 1e6f && across < 1e6f)) return false;
+    const Vec2 way = (1.0f / along) * speck.along;
+    const float rim = disc ? 0.5f : 0.0f; // half a pixel, in which a disc's edge fades
+    const float x = length({way.x * along, way.y * across}) + rim;
+    const float y = length({way.y * along, way.x * across}) + rim;
+    const float width = static_cast<float>(target.width), height = static_cast<float>(target.height);
+    if (!(speck.at.x + x > 0.0f && speck.at.x - x < width && speck.at.y + y > 0.0f && speck.at.y - y < height))
+        return false;
+    paint.box = {static_cast<int>(std::max(speck.at.x - x, 0.0f)), static_cast<int>(std::max(speck.at.y - y, 0.0f)),
+                 static_cast<int>(std::ceil(std::min(speck.at.x + x, width))),
+                 static_cast<int>(std::ceil(std::min(speck.at.y + y, height)))};
+    paint.u_x = way.x / along, paint.u_y = way.y / along;
+    paint.v_x = -way.y / across, paint.v_y = way.x / across;
+    const float dx = static_cast<float>(paint.box.left) + 0.5f - speck.at.x;
+    const float dy = static_cast<float>(paint.box.top) + 0.5f - speck.at.y;
+    paint.u = dx * paint.u_x + dy * paint.u_y;
+    paint.v = dx * paint.v_x + dy * paint.v_y;
+    paint.along = 1.0f / along, paint.across = 1.0f / across;
+    paint.disc = disc;
+    return true;
+}
+
+} // namespace
+
+void draw_specks(const draw::Specks& specks, const draw::SpeckRun& run, const Target& target, Set set) {
+    SpeckPaint paint{};
+    for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+        const draw::Speck& speck = specks.rows[i];
+        if (!place(paint, speck, run.form == draw::SpeckForm::disc, target)) continue;
+        paint.colour = premultiply(speck.colour);
+        if (run.adds) paint.colour &= 0x00ffffffu;
+        EVIL_PICK(set, speck_wide)(target, paint);
+    }
+}
+
+} // namespace evil::raster
