@@ -262,9 +262,9 @@ void stop_in_time(Continuous& c, std::span<const Path> paths, const Placements& 
     find_fast(c, paths, bodies, shapes);
     if (c.fast.empty()) return;
     note_motions(c, paths, bodies);
-    find_swept(c, c.walls, false, placed, bodies, shapes);
-    bool bullets = std::ranges::any_of(c.fast, [&](const Fast& fast) { return bodies.rows[fast.body].bullet; });
-    if (bullets) find_swept(c, c.everything, true, placed, bodies, shapes);
+    auto bullet = [&](const Fast& fast) { return bodies.rows[fast.body].bullet; };
+    if (!std::ranges::all_of(c.fast, bullet)) find_swept(c, c.walls, false, placed, bodies, shapes);
+    if (std::ranges::any_of(c.fast, bullet)) find_swept(c, c.everything, true, placed, bodies, shapes);
     for (Fast& fast : c.fast) find_hit(c, fast, bodies, shapes, joints);
     for (std::uint32_t i;
          (i = earliest(c.fast)) != kNone;) { // in the order of time: who stops, others may miss or meet
