@@ -109,7 +109,6 @@ void gather(Seams& seams, const Contacts& contacts, const Shapes& shapes, const 
     seams.first.resize(shapes.pieces.size(), kNone);
     for (std::uint32_t row = 0; row < contacts.rows.size(); ++row) {
         const Contact& c = contacts.rows[row];
-        if (c.sensor || c.passage == Passage::passing) continue; // there is nothing solid
         bool of_a = shapes.neighboured[c.piece_a] != 0, of_b = shapes.neighboured[c.piece_b] != 0;
         if (c.sensor || (c.one_way && c.count == 0)) continue; // nothing solid: what is let through covers nothing
         if (!(of_a || of_b)) continue; // those without points count too: what they cover, nobody can touch
