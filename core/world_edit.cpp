@@ -145,10 +145,10 @@ void destroy_body(World& world, std::uint32_t slot) {
     drop_from_forces(world, slot);
     forget_character(world.characters, slot);
     drop_joints_of(world, slot);
+    forget_contacts(world.events, world.contacts, world.shapes, world.bodies,
+                    [slot](const Contact& c) { return c.body_a == slot || c.body_b == slot; });
     while (world.bodies.rows[slot].first_shape != kNone) {
         std::uint32_t shape = world.bodies.rows[slot].first_shape;
-        forget_contacts(world.events, world.contacts, world.shapes, world.bodies,
-                        [shape](const Contact& c) { return c.shape_a == shape || c.shape_b == shape; });
         unlink_shape(world, slot, shape);
         remove_shape_row(world.shapes, shape);
     }
