@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gc
+
 import numpy as np
 import pytest
 
@@ -246,3 +248,20 @@ def test_whatever_a_callback_destroys_the_others_are_told(world):
     floor.on_collide(lambda contact: told.append((contact.b.slot, contact.b.alive)))
     until(world, lambda: told)
     assert told == [(first.slot if first.alive else 1, True), (2, False)]
+
+
+def test_columns_outlive_their_list_and_the_world_that_goes_on():
+    world = evil.World()
+    world.add(evil.Rectangle(40, 1), kind="static")
+    boxes = world.add_many(evil.Rectangle(1, 1), [(3 * i, 1) for i in range(4)])
+    world.step()
+    points, bodies, depths = (getattr(world.contacts.begun, name) for name in ("points", "bodies", "depths"))
+    before = points.tolist()
+    for box in boxes:
+        box.destroy()
+    world.step()
+    gc.collect()
+    assert points.tolist() == before
+    assert bodies.tolist() == [[0, 1 + i] for i in range(4)]
+    assert (depths.shape, depths.format, depths.readonly) == ((4,), "f", True)
+    assert world.contacts.begun.points.shape == (0, 2)

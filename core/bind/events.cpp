@@ -1,7 +1,7 @@
 // Events for Python: the touches of a step as rows for those that take them one by one, and as columns for bulk readers.
 #include "bind/handle.hpp"
-#include <array>
-#include <bit>
+#include <cstddef>
+#include <nanobind/ndarray.h>
 #include <nanobind/stl/pair.h>
 
 namespace evil::bind {
@@ -11,50 +11,16 @@ struct TouchRows { // a copy: it stays as it is while the world goes on
     std::vector<Touch> rows;
 };
 
-// One value of every row as a read-only buffer that owns its bytes.
-struct Column {
-    std::shared_ptr<std::vector<std::uint32_t>> words; // floats by their bits
-    const char* format;
-    Py_ssize_t shape[2], strides[2];
-};
-
-int get_buffer(PyObject* self, Py_buffer* buffer, int flags) {
-    Column* column = nb::inst_ptr<Column>(self);
-    if (flags & PyBUF_WRITABLE) {
-        PyErr_SetString(PyExc_BufferError, "events are read-only");
-        buffer->obj = nullptr;
-        return -1;
-    }
-    buffer->buf = column->words->data();
-    buffer->obj = self;
-    Py_INCREF(self);
-    buffer->len = column->shape[0] * column->shape[1] * 4;
-    buffer->itemsize = 4;
-    buffer->readonly = 1;
-    buffer->ndim = column->shape[1] == 1 ? 1 : 2;
-    buffer->format = const_cast<char*>(column->format);
-    buffer->shape = column->shape;
-    buffer->strides = column->strides;
-    buffer->suboffsets = nullptr;
-    buffer->internal = nullptr;
-    return 0;
-}
-
-PyType_Slot slots[] = {{Py_bf_getbuffer, reinterpret_cast<void*>(get_buffer)}, {0, nullptr}};
-
-std::uint32_t word(std::uint32_t value) { return value; }
-std::uint32_t word(float value) { return std::bit_cast<std::uint32_t>(value); }
-
-// Columns of what `values` gives of each row: an array of numbers of one kind.
-Column column_of(const std::vector<Touch>& rows, auto&& values) {
-    using Values = decltype(values(rows[0]));
-    constexpr std::size_t width = std::tuple_size_v<Values>;
-    auto words = std::make_shared<std::vector<std::uint32_t>>();
-    words->reserve(width * rows.size());
-    for (const Touch& t : rows)
-        for (auto value : values(t)) words->push_back(word(value));
-    const char* format = std::is_same_v<typename Values::value_type, float> ? "f" : "I";
-    return {words, format, {static_cast<Py_ssize_t>(rows.size()), width}, {4 * width, 4}};
+// One value of every row, a number or two of them `apart` words from each other, as a memoryview that keeps the rows alive.
+template <class Number, std::size_t Width> auto column(nb::handle self, std::size_t offset, std::int64_t apart) {
+    static_assert(sizeof(Touch) % sizeof(Number) == 0 && std::is_standard_layout_v<Touch>);
+    constexpr std::int64_t kRow = sizeof(Touch) / sizeof(Number);
+    const std::vector<Touch>& rows = nb::inst_ptr<TouchRows>(self)->rows;
+    auto at = reinterpret_cast<const Number*>(reinterpret_cast<const char*>(rows.data()) + (rows.empty() ? 0 : offset));
+    if constexpr (Width == 1)
+        return nb::ndarray<nb::memview, const Number, nb::ndim<1>>(at, {rows.size()}, self, {kRow});
+    else
+        return nb::ndarray<nb::memview, const Number, nb::ndim<2>>(at, {rows.size(), Width}, self, {kRow, apart});
 }
 
 Anything row_of(const TouchRows& touches, std::size_t i) {
@@ -65,28 +31,28 @@ Anything row_of(const TouchRows& touches, std::size_t i) {
                                                from_vec2(t.point), from_vec2(t.normal), t.depth, t.impulse, t.speed));
 }
 
-template <class Get> void bind_column(nb::class_<TouchRows>& c, const char* name, Get get) {
-    c.def_prop_ro(name, [get](const TouchRows& touches) { return column_of(touches.rows, get); });
+template <class Number, std::size_t Width = 1>
+void bind_column(nb::class_<TouchRows>& c, const char* name, std::size_t offset, std::int64_t apart = 1) {
+    std::string signature = "def " + std::string(name) + "(self) -> memoryview";
+    c.def_prop_ro(
+        name, [offset, apart](nb::handle self) { return column<Number, Width>(self, offset, apart); },
+        nb::for_getter(nb::sig(signature.c_str())));
 }
 
 void bind_rows(nb::module_& module) {
-    nb::class_<Column> column(module, "Column", nb::type_slots(slots),
-                              "One value of every event, a row each: a read-only buffer of float32 or uint32, which "
-                              "`numpy.asarray` takes as it is.");
-    column.def("__len__", [](const Column& c) { return c.shape[0]; });
     nb::class_<TouchRows> c(module, "Touches", "Touches of a step, in the order that is promised.");
     c.def("__len__", [](const TouchRows& touches) { return touches.rows.size(); });
     c.def("row", row_of, nb::arg("number"));
-    using Slots2 = std::array<std::uint32_t, 2>;
-    using Floats1 = std::array<float, 1>;
-    using Floats2 = std::array<float, 2>;
-    bind_column(c, "bodies", [](const Touch& t) { return Slots2{t.a.slot, t.b.slot}; });
-    bind_column(c, "shapes", [](const Touch& t) { return Slots2{t.shape_a.slot, t.shape_b.slot}; });
-    bind_column(c, "points", [](const Touch& t) { return Floats2{t.point.x, t.point.y}; });
-    bind_column(c, "normals", [](const Touch& t) { return Floats2{t.normal.x, t.normal.y}; });
-    bind_column(c, "depths", [](const Touch& t) { return Floats1{t.depth}; });
-    bind_column(c, "impulses", [](const Touch& t) { return Floats1{t.impulse}; });
-    bind_column(c, "speeds", [](const Touch& t) { return Floats1{t.speed}; });
+    constexpr std::int64_t kRef = sizeof(BodyRef) / sizeof(std::uint32_t); // words: a slot and its generation
+    static_assert(offsetof(Touch, b) == offsetof(Touch, a) + sizeof(BodyRef));
+    static_assert(offsetof(Touch, shape_b) == offsetof(Touch, shape_a) + sizeof(ShapeRef));
+    bind_column<std::uint32_t, 2>(c, "bodies", offsetof(Touch, a), kRef);
+    bind_column<std::uint32_t, 2>(c, "shapes", offsetof(Touch, shape_a), kRef);
+    bind_column<float, 2>(c, "points", offsetof(Touch, point));
+    bind_column<float, 2>(c, "normals", offsetof(Touch, normal));
+    bind_column<float>(c, "depths", offsetof(Touch, depth));
+    bind_column<float>(c, "impulses", offsetof(Touch, impulse));
+    bind_column<float>(c, "speeds", offsetof(Touch, speed));
 }
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> references(const std::vector<BodyRef>& list) {

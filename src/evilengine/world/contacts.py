@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, overload
+from typing import TYPE_CHECKING
 
-from evilengine import _core
 from evilengine.values.errors import ArgumentError
 from evilengine.values.vec2 import Vec2
+from evilengine.world.touches import TouchList
 
 if TYPE_CHECKING:
     from evilengine.world.body import Body, Shape
@@ -43,7 +42,7 @@ class Contact:
         raise ArgumentError(f"Contact.other({body!r}): this contact is between {self.a!r} and {self.b!r}")
 
 
-class ContactList(Sequence[Contact]):
+class ContactList(TouchList[Contact]):
     """Contacts, one by one or, for bulk readers, as columns: read-only buffers with a row for each, which
     `numpy.asarray` takes as they are.
 
@@ -54,76 +53,41 @@ class ContactList(Sequence[Contact]):
     >>> box = world.add(evil.Rectangle(1, 1), at=(0, 1))
     >>> world.step()
     >>> contacts = world.contacts.active
-    >>> contacts[0].b is box, memoryview(contacts.bodies).tolist(), memoryview(contacts.depths).shape
+    >>> contacts[0].b is box, contacts.bodies.tolist(), contacts.depths.shape
     (True, [[0, 1]], (1,))
     """
 
-    __slots__ = ("_rows", "_world")
+    __slots__ = ()
 
-    def __init__(self, world: World, rows: _core.Touches) -> None:
-        self._world = world
-        self._rows = rows
-
-    def __len__(self) -> int:
-        return len(self._rows)
-
-    @overload
-    def __getitem__(self, index: int) -> Contact: ...
-    @overload
-    def __getitem__(self, index: slice) -> tuple[Contact, ...]: ...
-    def __getitem__(self, index: int | slice) -> Contact | tuple[Contact, ...]:
-        numbers = range(len(self._rows))[index]
-        if isinstance(numbers, range):
-            return tuple(self._contact(number) for number in numbers)
-        return self._contact(numbers)
-
-    def _contact(self, number: int) -> Contact:
+    def _made(self, number: int) -> Contact:
         a, ga, b, gb, sa, gsa, sb, gsb, *rest = self._rows.row(number)
         body, shape = self._world._body, self._world._shape
         return Contact(body(a, ga), body(b, gb), shape(sa, gsa), shape(sb, gsb), *rest)
 
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, (ContactList, tuple, list)) and tuple(self) == tuple(other)
-
-    __hash__ = None  # type: ignore[assignment]
-
     @property
-    def bodies(self) -> _core.Column:
-        """(n, 2) uint32: slots of a and b, as rows of the arrays in `world.bodies`."""
-        return self._rows.bodies
-
-    @property
-    def shapes(self) -> _core.Column:
-        """(n, 2) uint32: slots of shape_a and shape_b."""
-        return self._rows.shapes
-
-    @property
-    def points(self) -> _core.Column:
+    def points(self) -> memoryview:
         """(n, 2) float32: metres, in the world."""
         return self._rows.points
 
     @property
-    def normals(self) -> _core.Column:
+    def normals(self) -> memoryview:
         """(n, 2) float32: from a to b."""
         return self._rows.normals
 
     @property
-    def depths(self) -> _core.Column:
+    def depths(self) -> memoryview:
         """(n,) float32: metres."""
         return self._rows.depths
 
     @property
-    def impulses(self) -> _core.Column:
+    def impulses(self) -> memoryview:
         """(n,) float32: newton seconds."""
         return self._rows.impulses
 
     @property
-    def speeds(self) -> _core.Column:
+    def speeds(self) -> memoryview:
         """(n,) float32: metres a second."""
         return self._rows.speeds
-
-    def __repr__(self) -> str:
-        return f"<ContactList, {len(self)}>"
 
 
 class Contacts:

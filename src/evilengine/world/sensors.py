@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, overload
+from typing import TYPE_CHECKING
 
-from evilengine import _core
+from evilengine.world.touches import TouchList
 
 if TYPE_CHECKING:
     from evilengine.world.body import Body, Shape
@@ -23,50 +22,16 @@ class Visit:
     visitor_shape: Shape
 
 
-class VisitList(Sequence[Visit]):
-    """Visits, one by one or as columns: read-only buffers with a row for each, as `numpy.asarray` takes them."""
+class VisitList(TouchList[Visit]):
+    """Visits, one by one or as columns: read-only buffers with a row for each, as `numpy.asarray` takes them. a is the
+    sensor, b the visitor."""
 
-    __slots__ = ("_rows", "_world")
+    __slots__ = ()
 
-    def __init__(self, world: World, rows: _core.Touches) -> None:
-        self._world = world
-        self._rows = rows
-
-    def __len__(self) -> int:
-        return len(self._rows)
-
-    @overload
-    def __getitem__(self, index: int) -> Visit: ...
-    @overload
-    def __getitem__(self, index: slice) -> tuple[Visit, ...]: ...
-    def __getitem__(self, index: int | slice) -> Visit | tuple[Visit, ...]:
-        numbers = range(len(self._rows))[index]
-        if isinstance(numbers, range):
-            return tuple(self._visit(number) for number in numbers)
-        return self._visit(numbers)
-
-    def _visit(self, number: int) -> Visit:
+    def _made(self, number: int) -> Visit:
         a, ga, b, gb, sa, gsa, sb, gsb, *_ = self._rows.row(number)
         body, shape = self._world._body, self._world._shape
         return Visit(body(a, ga), body(b, gb), shape(sa, gsa), shape(sb, gsb))
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, (VisitList, tuple, list)) and tuple(self) == tuple(other)
-
-    __hash__ = None  # type: ignore[assignment]
-
-    @property
-    def bodies(self) -> _core.Column:
-        """(n, 2) uint32: slots of the sensor's body and the visitor's."""
-        return self._rows.bodies
-
-    @property
-    def shapes(self) -> _core.Column:
-        """(n, 2) uint32: slots of the sensor and the visiting shape."""
-        return self._rows.shapes
-
-    def __repr__(self) -> str:
-        return f"<VisitList, {len(self)}>"
 
 
 class Sensors:
