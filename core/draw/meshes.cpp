@@ -1,4 +1,5 @@
 #include "draw/meshes.hpp"
+#include "hash.hpp"
 #include "shapes/polygon.hpp"
 #include <algorithm>
 #include <cstring>
@@ -7,20 +8,14 @@
 namespace evil::draw {
 namespace {
 
-// FNV-1a: short, no tables, good enough to find equal corners; equality is checked in full.
+// Good enough to find equal corners; equality is checked in full.
 std::uint64_t hash_of(const Mesh& kind, std::span<const Vertex> corners) {
-    std::uint64_t hash = 14695981039346656037ull;
-    auto mix = [&](const void* data, std::size_t size) {
-        for (std::size_t i = 0; i < size; ++i)
-            hash = (hash ^ static_cast<const unsigned char*>(data)[i]) * 1099511628211ull;
-    };
-    mix(&kind.radius, sizeof kind.radius);
-    mix(corners.data(), corners.size_bytes());
-    return hash;
+    static_assert(sizeof(Vertex) == 20, "no padding: corners are compared and hashed byte by byte");
+    return hash({reinterpret_cast<const std::uint8_t*>(corners.data()), corners.size_bytes()}) ^
+           std::bit_cast<std::uint32_t>(kind.radius);
 }
 
 bool same_bytes(std::span<const Vertex> a, std::span<const Vertex> b) {
-    static_assert(sizeof(Vertex) == 20, "no padding: corners are compared and hashed byte by byte");
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
 }
 
