@@ -1,6 +1,6 @@
 // Queries for Python, one at a time and in batches.
 #include "bind/hits.hpp"
-#include "bind/points.hpp"
+#include "bind/values.hpp"
 #include "collider/shape_casts.hpp"
 
 namespace evil::bind {
@@ -30,14 +30,8 @@ Vec2 to_place(nb::handle value, const char* owner, const char* argument) {
     return at;
 }
 
-Points to_places(nb::handle source, const char* owner, const char* argument) {
-    Points points = to_points(source, owner, argument);
-    for (std::size_t i = 0; i < points.rows.size(); ++i)
-        if (!(length(points.rows[i]) <= kWorldEdge))
-            raise(ErrorKind::argument, std::string(owner) + ": " + argument +
-                                           " must be within 1e+07 metres of the origin; row " + std::to_string(i) +
-                                           " is not");
-    return points;
+OneOrMany<Vec2> to_places(nb::handle source, const char* owner, const char* argument) {
+    return to_point_or_points(source, owner, argument, kPlaces);
 }
 
 // How many questions two lists ask together: as many as either, one that is single stands for all.
@@ -84,7 +78,7 @@ nb::object cast_ray_all(World& w, nb::handle owner, nb::handle start, nb::handle
 
 Hits* cast_rays(World& w, nb::handle owner, nb::handle starts, nb::handle ends, unsigned kinds, std::uint32_t mask,
                 nb::handle ignored) {
-    Points s = to_places(starts, "World.ray_casts", "starts"), e = to_places(ends, "World.ray_casts", "ends");
+    auto s = to_places(starts, "World.ray_casts", "starts"), e = to_places(ends, "World.ray_casts", "ends");
     std::size_t n = rows_of(s.rows.size(), s.one, e.rows.size(), e.one, "World.ray_casts", "starts and ends");
     Asked asked(kinds, mask, ignored);
     Scene scene = w.scene();
@@ -127,8 +121,8 @@ nb::object cast_shape_all(World& w, nb::handle owner, const NewShape& spec, nb::
 Hits* cast_shapes(World& w, nb::handle owner, const NewShape& spec, nb::handle starts, nb::handle ends,
                   nb::handle angles, unsigned kinds, std::uint32_t mask, nb::handle ignored) {
     const char* me = "World.shape_casts";
-    Points s = to_places(starts, me, "starts"), e = to_places(ends, me, "ends");
-    Numbers a = to_numbers(angles, me, "angle");
+    auto s = to_places(starts, me, "starts"), e = to_places(ends, me, "ends");
+    auto a = to_number_or_numbers(angles, me, "angle", kFinite);
     std::size_t n = rows_of(s.rows.size(), s.one, e.rows.size(), e.one, me, "starts and ends");
     n = rows_of(n, s.one && e.one, a.rows.size(), a.one, me, "ways and angles");
     Asked asked(kinds, mask, ignored);
@@ -136,7 +130,7 @@ Hits* cast_shapes(World& w, nb::handle owner, const NewShape& spec, nb::handle s
     Probe probe(spec);
     auto hits = std::make_unique<Hits>(nb::borrow(owner), n);
     for (std::size_t i = 0; i < n; ++i) {
-        probe.put(s.at(i), double(a.at(i)));
+        probe.put(s.at(i), a.at(i));
         std::optional<RayHit> hit = shape_cast(scene, probe.shapes, e.at(i) - s.at(i), asked.filter);
         if (hit)
             hits->set(w, i, hit->body, hit->shape, hit->point, hit->normal, hit->fraction);
@@ -157,7 +151,7 @@ nb::object find_nearest(World& w, nb::handle owner, nb::handle point, float with
 
 NearestHits* find_nearest_each(World& w, nb::handle owner, nb::handle points, float within, unsigned kinds,
                                std::uint32_t mask, nb::handle ignored) {
-    Points p = to_places(points, "World.nearest_each", "points");
+    auto p = to_places(points, "World.nearest_each", "points");
     Asked asked(kinds, mask, ignored);
     Scene scene = w.scene();
     auto hits = std::make_unique<NearestHits>(nb::borrow(owner), p.rows.size());
@@ -200,7 +194,7 @@ void add_list(BodyLists& lists, const World& w, const std::vector<std::uint32_t>
 
 BodyLists* find_at_each(World& w, nb::handle owner, nb::handle points, unsigned kinds, std::uint32_t mask,
                         nb::handle ignored) {
-    Points p = to_points(points, "World.bodies_at_each", "points");
+    auto p = to_point_or_points(points, "World.bodies_at_each", "points", kFinite);
     Asked asked(kinds, mask, ignored);
     Scene scene = w.scene();
     auto lists = std::make_unique<BodyLists>(BodyLists{nb::borrow(owner), {}, {}});
@@ -215,8 +209,8 @@ BodyLists* find_at_each(World& w, nb::handle owner, nb::handle points, unsigned 
 BodyLists* find_overlapping_each(World& w, nb::handle owner, const NewShape& spec, nb::handle at, nb::handle angles,
                                  unsigned kinds, std::uint32_t mask, nb::handle ignored) {
     const char* me = "World.overlapping_each";
-    Points p = to_points(at, me, "at");
-    Numbers a = to_numbers(angles, me, "angle");
+    auto p = to_point_or_points(at, me, "at", kFinite);
+    auto a = to_number_or_numbers(angles, me, "angle", kFinite);
     std::size_t n = rows_of(p.rows.size(), p.one, a.rows.size(), a.one, me, "points and angles");
     Asked asked(kinds, mask, ignored);
     Scene scene = w.scene();
@@ -224,7 +218,7 @@ BodyLists* find_overlapping_each(World& w, nb::handle owner, const NewShape& spe
     Probe probe(spec);
     std::vector<std::uint32_t> found;
     for (std::size_t i = 0; i < n; ++i) {
-        probe.put(p.at(i), double(a.at(i)));
+        probe.put(p.at(i), a.at(i));
         bodies_overlapping(scene, probe.shapes, asked.filter, found);
         add_list(*lists, w, found);
     }

@@ -1,69 +1,8 @@
 #include "bind/values.hpp"
-#include <bit>
-#include <cstring>
+#include "bind/buffer.hpp"
 
 namespace evil::bind {
 namespace {
-
-class Buffer { // held while it lives
-public:
-    explicit Buffer(nb::handle object) {
-        held_ = !is_text(object) && PyObject_GetBuffer(object.ptr(), &view_, PyBUF_STRIDES | PyBUF_FORMAT) == 0;
-        if (!held_) PyErr_Clear();
-    }
-    ~Buffer() {
-        if (held_) PyBuffer_Release(&view_);
-    }
-    Buffer(const Buffer&) = delete;
-    Buffer& operator=(const Buffer&) = delete;
-
-    explicit operator bool() const { return held_; }
-    int columns() const { return view_.ndim == 2 ? static_cast<int>(view_.shape[1]) : 1; }
-    int dimensions() const { return view_.ndim; }
-    Py_ssize_t rows() const { return view_.shape[0]; }
-    char letter() const { // of its format; 0 for one that is not native, or more than a letter
-        const char* f = view_.format ? view_.format : "B";
-        if (*f == '@' || *f == '=' || *f == (std::endian::native == std::endian::little ? '<' : '>')) ++f;
-        return f[1] == '\0' ? f[0] : '\0';
-    }
-    bool whole() const { return std::strchr("bBhHiIlLqQnN", letter()) != nullptr && letter() != '\0'; }
-    bool real() const { return letter() == 'f' || letter() == 'd'; }
-    std::string format() const { return view_.format ? view_.format : "B"; }
-
-    double number(Py_ssize_t row, Py_ssize_t column) const {
-        const char* at = static_cast<const char*>(view_.buf) + row * view_.strides[0];
-        if (view_.ndim == 2) at += column * view_.strides[1];
-        if (letter() == 'f') return double(read<float>(at));
-        if (letter() == 'd') return read<double>(at);
-        return static_cast<double>(integer(at));
-    }
-    std::int64_t index(Py_ssize_t row) const {
-        return integer(static_cast<const char*>(view_.buf) + row * view_.strides[0]);
-    }
-
-private:
-    template <class T> static T read(const char* at) {
-        T value;
-        std::memcpy(&value, at, sizeof value);
-        return value;
-    }
-    std::int64_t integer(const char* at) const { // by its size: what letters mean differs between systems
-        bool has_sign = std::strchr("bhilqn", letter()) != nullptr;
-        switch (view_.itemsize) {
-        case 1:
-            return has_sign ? read<std::int8_t>(at) : read<std::uint8_t>(at);
-        case 2:
-            return has_sign ? read<std::int16_t>(at) : read<std::uint16_t>(at);
-        case 4:
-            return has_sign ? std::int64_t{read<std::int32_t>(at)} : std::int64_t{read<std::uint32_t>(at)};
-        default:
-            return read<std::int64_t>(at);
-        }
-    }
-
-    Py_buffer view_{};
-    bool held_ = false;
-};
 
 std::string name_of(const char* owner, const char* argument) { return std::string(owner) + ": " + argument; }
 
@@ -116,6 +55,23 @@ void check_point(Vec2 p, const char* owner, const char* argument, std::size_t i,
     float most = static_cast<float>(bounds.most);
     if (!(bounds.round ? length(p) <= most : std::abs(p.x) <= most && std::abs(p.y) <= most))
         refuse(owner, argument, i, text_of(p), bounds);
+}
+
+void check_number(double value, const char* owner, const char* argument, std::size_t i, Bounds bounds) {
+    if (!(std::abs(value) <= bounds.most)) refuse(owner, argument, i, text_of(value), bounds);
+}
+
+bool is_number(nb::handle value) { // of Python's own, or one of NumPy's
+    if (PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr())) return true;
+    Buffer buffer(value);
+    return buffer && buffer.dimensions() == 0 && (buffer.real() || buffer.whole());
+}
+
+bool is_point(nb::handle values) { // a pair of numbers, rather than two points
+    bool pair = !is_text(values) && PySequence_Check(values.ptr()) && PySequence_Size(values.ptr()) == 2;
+    nb::object first = nb::steal(pair ? PySequence_GetItem(values.ptr(), 0) : nullptr);
+    PyErr_Clear();
+    return first.is_valid() && is_number(first);
 }
 
 std::vector<Vec2> points_in(const Buffer& buffer, const char* owner, const char* argument) {
@@ -172,9 +128,24 @@ std::vector<double> to_numbers(nb::handle values, const char* owner, const char*
             numbers.push_back(PyFloat_AsDouble(item.ptr()));
         }
     }
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        if (!(std::abs(numbers[i]) <= bounds.most)) refuse(owner, argument, i, text_of(numbers[i]), bounds);
+    for (std::size_t i = 0; i < numbers.size(); ++i) check_number(numbers[i], owner, argument, i, bounds);
     return numbers;
+}
+
+OneOrMany<Vec2> to_point_or_points(nb::handle values, const char* owner, const char* argument, Bounds bounds) {
+    if (!is_point(values)) return {to_points(values, owner, argument, bounds)};
+    Vec2 point = to_vec2(values, owner, argument);
+    check_point(point, owner, argument, 0, bounds);
+    return {{point}, true};
+}
+
+OneOrMany<double> to_number_or_numbers(nb::handle values, const char* owner, const char* argument, Bounds bounds) {
+    if (!is_text(values) && !is_number(values) && PySequence_Check(values.ptr()))
+        return {to_numbers(values, owner, argument, bounds)};
+    to_float(values, owner, argument); // refuses what is no finite number
+    double number = PyFloat_AsDouble(values.ptr());
+    check_number(number, owner, argument, 0, bounds);
+    return {{number}, true};
 }
 
 std::vector<std::uint32_t> to_indices(nb::handle values, const char* owner, const char* argument) {

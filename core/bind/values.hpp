@@ -18,13 +18,22 @@ inline constexpr Bounds kPlaces{kWorldEdge, "finite and within 1e7 metres of the
     kAngles{kMaxAngle, "a finite number of radians, at most 1e15"},
     kSpeeds{kMaxSpeed, "finite and at most 1e5 m/s along each axis"},
     kSpins{kMaxSpin, "finite and at most 1e4 radians a second"},
-    kPushes{kMaxForce, "finite and at most 1e30 along each axis"};
+    kPushes{kMaxForce, "finite and at most 1e30 along each axis"}, kFinite{3.4e38, "finite"};
 
 // Points from (n, 2) or, in a buffer without columns, 2 n numbers.
 std::vector<Vec2> to_points(nb::handle values, const char* owner, const char* argument, Bounds bounds);
 
 // Numbers from (n,).
 std::vector<double> to_numbers(nb::handle values, const char* owner, const char* argument, Bounds bounds);
+
+// As many as are given, or one that stands for all: a point by itself, or a number.
+template <class T> struct OneOrMany {
+    std::vector<T> rows;
+    bool one = false;
+    T at(std::size_t i) const { return rows[one ? 0 : i]; }
+};
+OneOrMany<Vec2> to_point_or_points(nb::handle values, const char* owner, const char* argument, Bounds bounds);
+OneOrMany<double> to_number_or_numbers(nb::handle values, const char* owner, const char* argument, Bounds bounds);
 
 // Whole numbers, 0 or more, from (n,).
 std::vector<std::uint32_t> to_indices(nb::handle values, const char* owner, const char* argument);
