@@ -156,82 +156,110 @@ EVIL_INLINE Floats push_tangent(ContactBlock& k, int point, const Arms& arm, Flo
     return impulse;
 }
 
-// Both passes need it: without friction in the first, what overlaps deepest squeezes its neighbours out sideways.
-template <bool wall> EVIL_INLINE Floats rub(ContactBlock& k, const Arms& p, const Arms& q, Relative& v, Ends& e) {
-    Floats friction = load(k.friction), belt = load(k.surface_speed);
-    Floats along_t = push_tangent<wall>(k, 0, p, friction, belt, v, e);
-    return along_t + push_tangent<wall>(k, 1, q, friction, belt, v, e);
-}
-
-template <bool wall>
-EVIL_INLINE void push_block(SolverBody* bodies, ContactBlock& k, Floats inv_h, const ContactSoftness& soft) {
-    Ends e{load_bodies(bodies, k.a), load_bodies(bodies, k.b)};
-    Frame f = frame_of(k, e);
-    Relative v = relative<wall>(e, f);
-    Turn ta = turn_of(e.a.turned), tb = turn_of(e.b.turned);
-    Arms p = arms_of(k, f, 0), q = arms_of(k, f, 1);
-    Floats along_n = push_normal<true, wall>(k, 0, p, separation(load(k.gap[0]), f, p, ta, tb), v, e, inv_h, soft);
-    along_n += push_normal<true, wall>(k, 1, q, separation(load(k.gap[1]), f, q, ta, tb), v, e, inv_h, soft);
-    apply<wall>(e, f, along_n, rub<wall>(k, p, q, v, e));
-    store_ends<wall>(bodies, k, e);
-}
-
 EVIL_INLINE void add_up(ContactBlock& k, int point) {
     store(k.total_impulse[point], load(k.total_impulse[point]) + load(k.normal_impulse[point]));
 }
 
-template <bool wall> EVIL_INLINE void relax_block(SolverBody* bodies, ContactBlock& k, Floats inv_h) {
-    Ends e{load_bodies(bodies, k.a), load_bodies(bodies, k.b)};
-    Frame f = frame_of(k, e);
-    Relative v = relative<wall>(e, f);
-    Turn ta = turn_of(e.a.turned), tb = turn_of(e.b.turned);
-    Arms p = arms_of(k, f, 0), q = arms_of(k, f, 1);
-    ContactSoftness hard{};
-    Floats along_n = push_normal<false, wall>(k, 0, p, separation(load(k.gap[0]), f, p, ta, tb), v, e, inv_h, hard);
-    along_n += push_normal<false, wall>(k, 1, q, separation(load(k.gap[1]), f, q, ta, tb), v, e, inv_h, hard);
-    add_up(k, 0);
-    add_up(k, 1);
-    apply<wall>(e, f, along_n, rub<wall>(k, p, q, v, e));
-    store_ends<wall>(bodies, k, e);
+// Some blocks of one colour, n of them side by side: what each waits for in itself is time for the others. They share no
+// body that contacts change, so it is all the same to the numbers.
+template <int n> struct Several {
+    Ends ends[n];
+    Frame frame[n];
+    Relative v[n];
+    Arms p[n], q[n];
+    Turn turn_a[n], turn_b[n];
+    Floats along_n[n], along_t[n];
+};
+
+template <int n> EVIL_INLINE void begin(Several<n>& s, const SolverBody* bodies, const ContactBlock* k) {
+    for (int i = 0; i < n; ++i) s.ends[i] = {load_bodies(bodies, k[i].a), load_bodies(bodies, k[i].b)};
+    for (int i = 0; i < n; ++i) s.frame[i] = frame_of(k[i], s.ends[i]);
+    for (int i = 0; i < n; ++i) {
+        s.p[i] = arms_of(k[i], s.frame[i], 0);
+        s.q[i] = arms_of(k[i], s.frame[i], 1);
+    }
 }
 
-template <bool wall> EVIL_INLINE void warm_block(SolverBody* bodies, ContactBlock& k) {
-    Ends e{load_bodies(bodies, k.a), load_bodies(bodies, k.b)};
-    Frame f = frame_of(k, e);
-    Floats along_n = 0.0f, along_t = 0.0f;
-    for (int point = 0; point < 2; ++point) {
-        Arms arm = arms_of(k, f, point);
-        Floats n = load(k.normal_impulse[point]), t = load(k.tangent_impulse[point]);
-        turn_by_normal<wall>(e, arm, n);
-        turn_by_tangent<wall>(e, arm, t);
-        along_n += n;
-        along_t += t;
+template <bool wall, int n> EVIL_INLINE void finish(Several<n>& s, SolverBody* bodies, const ContactBlock* k) {
+    for (int i = 0; i < n; ++i) {
+        apply<wall>(s.ends[i], s.frame[i], s.along_n[i], s.along_t[i]);
+        store_ends<wall>(bodies, k[i], s.ends[i]);
     }
-    apply<wall>(e, f, along_n, along_t);
-    store_ends<wall>(bodies, k, e);
+}
+
+// Both passes need friction: without it in the first, what overlaps deepest squeezes its neighbours out sideways.
+template <bool soften, bool wall, int n>
+EVIL_INLINE void solve_blocks(SolverBody* bodies, ContactBlock* k, Floats inv_h, const ContactSoftness& soft) {
+    Several<n> s;
+    begin(s, bodies, k);
+    for (int i = 0; i < n; ++i) {
+        s.v[i] = relative<wall>(s.ends[i], s.frame[i]);
+        s.turn_a[i] = turn_of(s.ends[i].a.turned);
+        s.turn_b[i] = turn_of(s.ends[i].b.turned);
+    }
+    auto push = [&](int i, int point, const Arms& arm) {
+        Floats gap = separation(load(k[i].gap[point]), s.frame[i], arm, s.turn_a[i], s.turn_b[i]);
+        return push_normal<soften, wall>(k[i], point, arm, gap, s.v[i], s.ends[i], inv_h, soft);
+    };
+    for (int i = 0; i < n; ++i) s.along_n[i] = push(i, 0, s.p[i]);
+    for (int i = 0; i < n; ++i) s.along_n[i] += push(i, 1, s.q[i]);
+    auto rub = [&](int i, int point, const Arms& arm) {
+        return push_tangent<wall>(k[i], point, arm, load(k[i].friction), load(k[i].surface_speed), s.v[i], s.ends[i]);
+    };
+    for (int i = 0; i < n; ++i) s.along_t[i] = rub(i, 0, s.p[i]);
+    for (int i = 0; i < n; ++i) s.along_t[i] += rub(i, 1, s.q[i]);
+    for (int i = 0; i < n && !soften; ++i) {
+        add_up(k[i], 0);
+        add_up(k[i], 1);
+    }
+    finish<wall>(s, bodies, k);
+}
+
+template <bool wall, int n> EVIL_INLINE void warm_blocks(SolverBody* bodies, ContactBlock* k) {
+    Several<n> s;
+    begin(s, bodies, k);
+    for (int i = 0; i < n; ++i) {
+        s.along_n[i] = s.along_t[i] = 0.0f;
+        for (int point = 0; point < 2; ++point) {
+            const Arms& arm = point == 0 ? s.p[i] : s.q[i];
+            Floats along_n = load(k[i].normal_impulse[point]), along_t = load(k[i].tangent_impulse[point]);
+            turn_by_normal<wall>(s.ends[i], arm, along_n);
+            turn_by_tangent<wall>(s.ends[i], arm, along_t);
+            s.along_n[i] += along_n;
+            s.along_t[i] += along_t;
+        }
+    }
+    finish<wall>(s, bodies, k);
+}
+
+// Two side by side: more would not fit the registers.
+template <class Work> EVIL_INLINE void by_twos(std::size_t count, Work work) {
+    std::size_t i = 0;
+    for (; i + 1 < count; i += 2) work.template operator()<2>(i);
+    if (i < count) work.template operator()<1>(i);
 }
 
 } // namespace
 
 void warm_start(SolverBody* bodies, ContactBlock* blocks, std::size_t count) noexcept {
-    for (std::size_t i = 0; i < count; ++i) warm_block<false>(bodies, blocks[i]);
+    by_twos(count, [&]<int n>(std::size_t i) { warm_blocks<false, n>(bodies, blocks + i); });
 }
 void warm_start_walls(SolverBody* bodies, ContactBlock* blocks, std::size_t count) noexcept {
-    for (std::size_t i = 0; i < count; ++i) warm_block<true>(bodies, blocks[i]);
+    by_twos(count, [&]<int n>(std::size_t i) { warm_blocks<true, n>(bodies, blocks + i); });
 }
 void push_apart(SolverBody* bodies, ContactBlock* blocks, std::size_t count, float inv_h,
                 ContactSoftness soft) noexcept {
-    for (std::size_t i = 0; i < count; ++i) push_block<false>(bodies, blocks[i], inv_h, soft);
+    by_twos(count, [&]<int n>(std::size_t i) { solve_blocks<true, false, n>(bodies, blocks + i, inv_h, soft); });
 }
 void push_apart_walls(SolverBody* bodies, ContactBlock* blocks, std::size_t count, float inv_h,
                       ContactSoftness soft) noexcept {
-    for (std::size_t i = 0; i < count; ++i) push_block<true>(bodies, blocks[i], inv_h, soft);
+    by_twos(count, [&]<int n>(std::size_t i) { solve_blocks<true, true, n>(bodies, blocks + i, inv_h, soft); });
 }
 void relax(SolverBody* bodies, ContactBlock* blocks, std::size_t count, float inv_h) noexcept {
-    for (std::size_t i = 0; i < count; ++i) relax_block<false>(bodies, blocks[i], inv_h);
+    by_twos(count, [&]<int n>(std::size_t i) { solve_blocks<false, false, n>(bodies, blocks + i, inv_h, {}); });
 }
 void relax_walls(SolverBody* bodies, ContactBlock* blocks, std::size_t count, float inv_h) noexcept {
-    for (std::size_t i = 0; i < count; ++i) relax_block<true>(bodies, blocks[i], inv_h);
+    by_twos(count, [&]<int n>(std::size_t i) { solve_blocks<false, true, n>(bodies, blocks + i, inv_h, {}); });
 }
 
 } // namespace evil::EVIL_ISA

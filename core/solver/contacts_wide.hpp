@@ -2,7 +2,7 @@
 #include "math/cpu.hpp"
 #include "solver/contact_blocks.hpp"
 
-// Kernels over rows of bodies and blocks of contacts, one after the other. `bodies` are the rows that the blocks' numbers mean.
+// Kernels over rows of bodies and blocks of contacts, blocks that share no body which contacts change. `bodies` are the rows that the blocks' numbers mean.
 // Each comes in two forms: between two bodies, and at `walls`, where a is not changed by contacts and not written.
 namespace evil {
 struct Contact;

@@ -95,16 +95,18 @@ void integrate_positions(Solver& solver, InstructionSet set, float h, Threads& t
     });
 }
 
-// Colour after colour, as blocks of one colour share no body that moves.
+// Colour after colour, as blocks of one colour share no body that moves; those that may are handed over one by one.
 template <class Between, class Walls>
 void for_each_colour(Solver& solver, Threads& threads, Between between, Walls walls) {
+    auto work = [&](const BlockRange& range, std::size_t first, std::size_t count) {
+        ContactBlock* blocks = &solver.blocks[range.first + first];
+        range.wall ? walls(solver.bodies.data(), blocks, count) : between(solver.bodies.data(), blocks, count);
+    };
     for (const BlockRange& range : solver.colouring.ranges) {
-        std::size_t grain = range.alone ? range.count : kBlocksAtOnce;
-        parallel_for(threads, range.count, grain, [&](std::size_t first, std::size_t last) {
-            ContactBlock* blocks = &solver.blocks[range.first + first];
-            range.wall ? walls(solver.bodies.data(), blocks, last - first)
-                       : between(solver.bodies.data(), blocks, last - first);
-        });
+        for (std::size_t i = 0; range.alone && i < range.count; ++i) work(range, i, 1);
+        if (range.alone) continue;
+        parallel_for(threads, range.count, kBlocksAtOnce,
+                     [&](std::size_t first, std::size_t last) { work(range, first, last - first); });
     }
 }
 
