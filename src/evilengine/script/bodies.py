@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from evilengine.script.arithmetic import formula
 from evilengine.script.checker import Checker
-from evilengine.script.kinds import JOINTS
+from evilengine.script.joints import JOINTS
 from evilengine.script.names import DRAWING, SOMETHING, Made, family_made
 from evilengine.script.settings import example_of
 from evilengine.script.syntax import Expression, Identifier, New, Setting, Spot, Text

@@ -5,7 +5,7 @@ from __future__ import annotations
 from evilengine.script.arithmetic import Bounds
 from evilengine.script.bodies import BODIES, ThingBuilder
 from evilengine.script.checker import thing
-from evilengine.script.kinds import JOINTS
+from evilengine.script.joints import JOINTS
 from evilengine.script.names import DRAWING, NUMBER, SOMETHING, TEXT, Made
 from evilengine.script.syntax import (
     Block,

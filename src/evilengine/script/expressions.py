@@ -152,17 +152,23 @@ class Expressions:
             hint = f"write {text.replace('-', ' -')} for two numbers, or ({text}) for one"
             self.error("loose-arithmetic", "arithmetic stands inside parentheses", self.token, hint)
 
-    def _single(self, wanted: str) -> Expression:
+    def _operand(self) -> Expression | None:
+        """A number as it is written, what stands in parentheses, or a call; None if something else follows."""
         token = self.token
-        if token.kind in ("-", "+"):
-            return self._signed(wanted)
         if token.kind == "number":
             self.advance()
             return Literal(token.number, token.unit, token.place)
         if token.kind == "(":
             return self._grouped()
-        if self._at_call():
-            return self._call()
+        return self._call() if self._at_call() else None
+
+    def _single(self, wanted: str) -> Expression:
+        token = self.token
+        if token.kind in ("-", "+"):
+            return self._signed(wanted)
+        operand = self._operand()
+        if operand is not None:
+            return operand
         if token.kind == "name" and token.text in self.number_names:
             self.advance()
             self.error("bare-name", "a name gives its number only inside parentheses", token, f"write ({token.text})")
@@ -303,13 +309,9 @@ class Expressions:
             if token.kind == "-":
                 return Operation("negate", (self._binary(_NEGATE),), token.place)
             return Operation("not", (self._binary(_NOT),), token.place)
-        if token.kind == "number":
-            self.advance()
-            return Literal(token.number, token.unit, token.place)
-        if token.kind == "(":
-            return self._grouped()
-        if self._at_call():
-            return self._call()
+        operand = self._operand()
+        if operand is not None:
+            return operand
         if token.kind == "name" and token.text not in RESERVED:
             self.advance()
             if self.token.kind == "(" and self.token.start == token.end:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from evilengine.script.joints import JOINT_KINDS
 from evilengine.script.word import ANY, MAX_CORNERS, NOT_NEGATIVE, Kind, Range, Size
 
 KINDS: Mapping[str, Kind] = {
@@ -102,106 +103,6 @@ KINDS: Mapping[str, Kind] = {
             example="new medium pond 8 2 at 0 -3 drag 4;",
             meant=("water", "mud", "liquid", "area", "lake", "pond"),
         ),
-        Kind(
-            word="hinge",
-            family="hinge",
-            type="joints.Hinge",
-            needs=("from", "to", "at"),
-            doc="A pin through two things: what comes after `to` turns about it, as far as `least` and `most`.",
-            example=(
-                "new rectangle wall 1 1;\n"
-                "new rectangle door 2 0.2 at 1 0 physicsOn;\n"
-                "new hinge from wall to door at 0 0 least -40 most 40;"
-            ),
-            meant=("pivot", "pin", "joint", "revolute"),
-        ),
-        Kind(
-            word="weld",
-            family="weld",
-            type="joints.Weld",
-            needs=("from", "to"),
-            doc="Makes two things one; with a `frequency` it bends.",
-            example=(
-                "new rectangle wall 1 1;\nnew rectangle door 2 0.2 at 1 0 physicsOn;\nnew weld from wall to door;"
-            ),
-            meant=("glue", "fix"),
-        ),
-        Kind(
-            word="rod",
-            family="rod",
-            type="joints.Distance",
-            needs=("from", "to"),
-            doc="Keeps two things as far apart as they are, or `length`; with `stiffness` it is a spring between them.",
-            example=("new circle hook 0.1 at 0 4;\nnew circle ball 0.4 at 2 2 physicsOn;\nnew rod from hook to ball;"),
-            meant=("bar", "stick", "distance"),
-        ),
-        Kind(
-            word="rope",
-            family="rope",
-            type="joints.Rope",
-            needs=("from", "to"),
-            doc="Keeps two things no further apart than they are, or `length`.",
-            example=(
-                "new circle hook 0.1 at 0 4;\n"
-                "new circle ball 0.4 at 2 2 physicsOn;\n"
-                "new rope from hook to ball length 3;"
-            ),
-            meant=("string", "line", "tether"),
-        ),
-        Kind(
-            word="slider",
-            family="slider",
-            type="joints.Slider",
-            needs=("from", "to"),
-            doc="Lets the thing after `to` slide along a line of the other, and not turn.",
-            example=(
-                "new rectangle tower 1 1;\n"
-                "new rectangle lift 2 0.2 at 2 0 physicsOn;\n"
-                "new slider from tower to lift axis 0 1 least 0 most 3 slideSpeed 1;"
-            ),
-            meant=("rail", "prismatic", "piston"),
-        ),
-        Kind(
-            word="axle",
-            family="axle",
-            type="joints.Wheel",
-            needs=("from", "to"),
-            doc="A wheel, after `to`, on a thing with a springy suspension along `axis`; a motor by `motorSpeed`.",
-            example=(
-                "new rectangle car 2 0.5 at 0 1 physicsOn;\n"
-                "new circle tyre 0.4 at -0.8 0.6 physicsOn;\n"
-                "new axle from car to tyre motorSpeed -300;"
-            ),
-            meant=("wheel", "suspension"),
-        ),
-        Kind(
-            word="gear",
-            family="gear",
-            type="joints.Gear",
-            needs=("from", "to"),
-            doc="Ties the turning of two things: the one after `to` turns `ratio` times for each turn of the other.",
-            example=(
-                "new circle large 2 at -2 0 physicsOn;\n"
-                "new circle small 1 at 1 0 physicsOn;\n"
-                "new gear from large to small ratio -2;"
-            ),
-            meant=("cog", "teeth"),
-        ),
-        Kind(
-            word="pulley",
-            family="pulley",
-            type="joints.Pulley",
-            needs=("from", "to", "over", "across"),
-            doc="A rope from one thing over two points to the other: what the one side loses, the other gains.",
-            example=(
-                "new rectangle left 1 1 at -2 0 physicsOn;\n"
-                "new rectangle right 1 1 at 2 0 physicsOn;\n"
-                "new pulley from left to right over -2 4 across 2 4;"
-            ),
-            meant=("hoist", "tackle"),
-        ),
+        *JOINT_KINDS,
     )
 }
-
-JOINTS = tuple(word for word, kind in KINDS.items() if kind.type.startswith("joints."))
-"""The kinds that tie two things together."""

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from evilengine.script.expressions import MAX_DEPTH
-from evilengine.script.kinds import JOINTS
+from evilengine.script.joints import JOINTS
 from evilengine.script.settings import example_of
 from evilengine.script.word import (
     MAX_BODIES,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 LANGUAGE_VERSION = 1
 
@@ -154,3 +155,30 @@ class Property(Word):
     """Whether it is how a thing looks, which is its drawings' business."""
     spellings: tuple[str, ...] = ()
     """Other spellings that mean the same and are no error."""
+
+
+@dataclass(frozen=True, slots=True)
+class Of:
+    """Makes the properties of some families.
+
+    >>> Of(("sound",), 'play "thud.ogg" ')("pitch", "number", "How high.", "pitch 0.8").example
+    'play "thud.ogg" pitch 0.8;'
+    """
+
+    families: tuple[str, ...]
+    before: str = ""
+    """How their examples begin."""
+
+    def __call__(
+        self, word: str, takes: str, doc: str, shown: str = "", *, example: str = "", option: str = "",
+        settable: bool | str = False, **more: Any,
+    ) -> Property:  # fmt: skip
+        """`shown` goes on where their examples begin; `example` is one of its own. The engine's keyword argument is
+        `option`, or else the word, and `set` changes the attribute of that name, or the one that `settable` names."""
+        keyword = option or word
+        attribute = settable if isinstance(settable, str) else keyword if settable else ""
+        written = f"{self.before}{shown};" if shown else example
+        return Property(
+            word=word, takes=takes, doc=doc, families=self.families, example=written, option=keyword,
+            settable=attribute, **more,
+        )  # fmt: skip

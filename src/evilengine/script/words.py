@@ -1,8 +1,8 @@
 """Every word of the level language, and which one somebody meant who wrote another.
 
 The tables (statements.py, kinds.py, properties.py) drive the parser, the checker, the suggestions and the reference
-page docs/level-language.md, so a new word is one entry there. A later subject (joints, lights, sounds, fluids) adds its
-kinds and properties to them.
+page docs/level-language.md, so a new word is one entry there. A later subject has its kinds and properties in a file of
+its own, as joints.py does, and those two take them in.
 """
 
 from __future__ import annotations
