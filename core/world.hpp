@@ -7,6 +7,7 @@
 #include "collider/events.hpp"
 #include "collider/seams.hpp"
 #include "collider/search.hpp"
+#include "door.hpp"
 #include "forces/media.hpp"
 #include "published.hpp"
 #include "solver/buried.hpp"
@@ -49,6 +50,9 @@ struct World {
 
     // Who works on it; the bits are the same with any number
     Threads threads;
+
+    // Who may look: one thread at a time, for the binding to keep
+    mutable Door door;
 
     // Scratch: losing it changes nothing
     Placements placed;

@@ -145,7 +145,7 @@ KEPT_OUT_OF_THE_CORE = CLOCKS | FILES | THREADS | PRINTING | CHANCE
 def test_the_core_knows_no_python_no_clock_and_no_files(file: Path) -> None:
     if file.is_relative_to(CORE / "bind"):
         return
-    included = includes(file) - (THREADS if file == CORE / "threads.cpp" else set())
+    included = includes(file) - (THREADS if file.name in ("threads.cpp", "door.hpp") else set())
     assert included & KEPT_OUT_OF_THE_CORE == set()
     foreign = {name for name in included if name.startswith(("nanobind", "Python", "bind/"))}
     assert foreign == set(), "only core/bind may know Python"
@@ -166,6 +166,20 @@ def test_the_ground_of_the_core_knows_only_what_is_below_it(folder: str) -> None
     for file in (CORE / folder).glob("*.[ch]pp"):
         folders = {name.split("/")[0] for name in includes(file) if "/" in name and (CORE / name).exists()}
         assert folders <= CORE_GROUND[folder], f"{file.relative_to(ROOT)} includes {folders - CORE_GROUND[folder]}"
+
+
+def bind_headers(file: Path) -> set[str]:
+    """The headers of core/bind that a file of it includes, straight or by others."""
+    found: set[str] = set()
+    for name in re.findall(r'#include "bind/(\w+\.hpp)"', file.read_text()):
+        found |= {name} | bind_headers(CORE / "bind" / name)
+    return found
+
+
+def test_no_call_of_python_comes_into_a_world_past_its_door() -> None:
+    takers = [file for file in (CORE / "bind").glob("*.cpp") if re.search(r"\bWorld& ", file.read_text())]
+    assert len(takers) > 5
+    assert [file.name for file in takers if "visit.hpp" not in bind_headers(file)] == []
 
 
 def test_every_header_is_guarded() -> None:

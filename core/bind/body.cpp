@@ -5,14 +5,16 @@ namespace {
 
 constexpr const char* kOwner = "Body";
 
+// To read a value may run Python (a `__float__`), which may change the world: rows are looked up after it.
+
 // A float field of the row that any number in a range may be written to; writing wakes the body.
 template <float Body::* Field>
 void bind_float(nb::class_<BodyHandle>& c, const char* name, float least, float most, const char* doc) {
     def_value(
         c, name, kNumber, [](const BodyHandle& h) { return row(h).*Field; },
         [name, least, most](const BodyHandle& h, nb::handle value) {
-            Body& b = row(h);
-            b.*Field = in_range(value, kOwner, name, least, most);
+            float number = in_range(value, kOwner, name, least, most);
+            row(h).*Field = number;
             wake(*h.world, h.ref.slot);
         },
         doc);
@@ -24,8 +26,9 @@ void bind_material(nb::class_<BodyHandle>& c, const char* name, float most, cons
     def_value(
         c, name, kNumber, [](const BodyHandle& h) { return row(h).*Field; },
         [name, most](const BodyHandle& h, nb::handle value) {
+            float number = in_range(value, kOwner, name, 0.0f, most);
             Body& b = row(h);
-            b.*Field = in_range(value, kOwner, name, 0.0f, most);
+            b.*Field = number;
             Shapes& shapes = h.world->shapes;
             for (std::uint32_t s = b.first_shape; s != kNone; s = shapes.rows[s].next)
                 shapes.rows[s].material.*Each = b.*Field;
@@ -36,17 +39,16 @@ void bind_material(nb::class_<BodyHandle>& c, const char* name, float most, cons
 }
 
 void set_position(const BodyHandle& h, nb::handle value) {
-    double angle = row(h).angle;
     Vec2 p = to_vec2(value, kOwner, "position");
     if (!(length(p) <= kWorldEdge))
         raise(ErrorKind::argument, "Body: position must be within 1e7 metres of the origin");
-    move_body(*h.world, h.ref.slot, p, angle);
+    move_body(*h.world, h.ref.slot, p, row(h).angle);
 }
 
 void set_angle(const BodyHandle& h, nb::handle value) {
-    Vec2 p = row(h).pose.p;
     to_float(value, kOwner, "angle"); // refuses what is no finite number
-    move_body(*h.world, h.ref.slot, p, PyFloat_AsDouble(value.ptr()));
+    double angle = PyFloat_AsDouble(value.ptr());
+    move_body(*h.world, h.ref.slot, row(h).pose.p, angle);
 }
 
 void require_moving(const BodyHandle& h, const char* what) {
@@ -72,47 +74,55 @@ void set_spin(const BodyHandle& h, nb::handle value) {
     wake(*h.world, h.ref.slot);
 }
 
+// A point of the world, or none for the centre of mass.
+std::optional<Vec2> to_spot(nb::handle at, const char* owner) {
+    if (at.is_none()) return {};
+    return to_vec2(at, owner, "at");
+}
+
 void apply_force(const BodyHandle& h, nb::handle force, nb::handle at) {
-    Body& b = row(h);
     Vec2 f = to_vec2(force, "Body.apply_force", "force");
-    Vec2 p = at.is_none() ? b.centre : to_vec2(at, "Body.apply_force", "at");
+    std::optional<Vec2> p = to_spot(at, "Body.apply_force");
+    Body& b = row(h);
     wake(*h.world, h.ref.slot);
     b.force = clamped(b.force + f, kMaxForce);
-    b.torque = clamped(b.torque + cross(p - b.centre, f), kMaxForce);
+    b.torque = clamped(b.torque + cross(p.value_or(b.centre) - b.centre, f), kMaxForce);
 }
 
 void apply_impulse(const BodyHandle& h, nb::handle impulse, nb::handle at) {
-    Body& b = row(h);
     Vec2 j = to_vec2(impulse, "Body.apply_impulse", "impulse");
-    Vec2 p = at.is_none() ? b.centre : to_vec2(at, "Body.apply_impulse", "at");
+    std::optional<Vec2> p = to_spot(at, "Body.apply_impulse");
+    Body& b = row(h);
     wake(*h.world, h.ref.slot);
     b.velocity = clamped(b.velocity + b.inv_mass * j, kMaxSpeed);
-    b.spin = clamped(b.spin + b.inv_inertia * cross(p - b.centre, j), kMaxSpin);
+    b.spin = clamped(b.spin + b.inv_inertia * cross(p.value_or(b.centre) - b.centre, j), kMaxSpin);
     publish(*h.world, h.ref.slot);
 }
 
 void apply_torque(const BodyHandle& h, nb::handle torque) {
+    float t = to_float(torque, "Body.apply_torque", "torque");
     Body& b = row(h);
-    b.torque = clamped(b.torque + to_float(torque, "Body.apply_torque", "torque"), kMaxForce);
+    b.torque = clamped(b.torque + t, kMaxForce);
     wake(*h.world, h.ref.slot);
 }
 
 void apply_angular_impulse(const BodyHandle& h, nb::handle impulse) {
+    float j = to_float(impulse, "Body.apply_angular_impulse", "impulse");
     Body& b = row(h);
-    b.spin = clamped(b.spin + b.inv_inertia * to_float(impulse, "Body.apply_angular_impulse", "impulse"), kMaxSpin);
+    b.spin = clamped(b.spin + b.inv_inertia * j, kMaxSpin);
     wake(*h.world, h.ref.slot);
 }
 
 void set_mass_of(const BodyHandle& h, nb::handle value) {
-    require_alive(h);
     float mass = in_range(value, kOwner, "mass", kMinMass, kMaxMass);
+    require_alive(h);
     MassProblem problem = set_mass(*h.world, h.ref.slot, mass);
     if (problem != MassProblem::none) raise_mass(problem, "Body.mass");
 }
 
 void set_scale_of(const BodyHandle& h, nb::handle value) {
-    require_alive(h);
     Vec2 scale = to_vec2(value, kOwner, "scale");
+    require_alive(h);
     MatrixProblem problem = set_scale(*h.world, h.ref.slot, scale);
     if (problem != MatrixProblem::none) raise_matrix(problem, "Body.scale");
 }
@@ -142,8 +152,8 @@ void bind_motion(nb::class_<BodyHandle>& c) {
         c, kOwner, "velocity_at",
         "def velocity_at(self, point: evilengine.values.vec2.Point) -> evilengine.values.vec2.Vec2", {"point"},
         [](const BodyHandle& h, nb::handle point) {
-            const Body& b = row(h);
-            return from_vec2(velocity_at(b, to_vec2(point, "Body.velocity_at", "point")));
+            Vec2 p = to_vec2(point, "Body.velocity_at", "point");
+            return from_vec2(velocity_at(row(h), p));
         },
         nb::arg("point").none(), "Velocity of the body's matter at a point of the world.");
     def_method(
@@ -158,8 +168,9 @@ void bind_motion(nb::class_<BodyHandle>& c) {
         c, kOwner, "to_local", "def to_local(self, point: evilengine.values.vec2.Point) -> evilengine.values.vec2.Vec2",
         {"point"},
         [](const BodyHandle& h, nb::handle point) {
+            Vec2 there = to_vec2(point, "Body.to_local", "point");
             const Body& b = row(h);
-            Vec2 p = untransform(b.pose, to_vec2(point, "Body.to_local", "point"));
+            Vec2 p = untransform(b.pose, there);
             return from_vec2({p.x / b.scale.x, p.y / b.scale.y});
         },
         nb::arg("point").none(), "A point of the world, in the body's own frame.");
@@ -256,8 +267,9 @@ void bind_state(nb::class_<BodyHandle>& c) {
         "(x, y) that all its shapes are stretched by; mass follows unless it was set.");
     c.def_prop_ro("_matrix", [](const BodyHandle& h) { return from_affine(body_matrix(row(h))); });
     c.def("_apply_matrix", [](const BodyHandle& h, nb::handle matrix) {
+        Affine m = to_affine(matrix, "Body.apply_matrix");
         require_alive(h);
-        MatrixProblem problem = apply_to_body(*h.world, h.ref.slot, to_affine(matrix, "Body.apply_matrix"));
+        MatrixProblem problem = apply_to_body(*h.world, h.ref.slot, m);
         if (problem != MatrixProblem::none) raise_matrix(problem, "Body.apply_matrix");
     });
     c.def("_shape_slots", shape_slots);

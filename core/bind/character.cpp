@@ -10,6 +10,8 @@ struct CharacterHandle { // a character is known by its body
     BodyHandle body;
 };
 
+Door* door_of(const CharacterHandle& h) { return door_of(h.body); }
+
 Character& row(const CharacterHandle& h) {
     require_alive(h.body);
     Character* c = character_of(h.body.world->characters, h.body.ref.slot);
@@ -22,7 +24,8 @@ void bind_ability(nb::class_<CharacterHandle>& c, const char* name, float least,
     def_value(
         c, name, kNumber, [](const CharacterHandle& h) { return row(h).abilities.*Field; },
         [name, least, most](const CharacterHandle& h, nb::handle value) {
-            row(h).abilities.*Field = in_range(value, kOwner, name, least, most);
+            float number = in_range(value, kOwner, name, least, most);
+            row(h).abilities.*Field = number;
         },
         doc);
 }
@@ -63,13 +66,15 @@ void bind_wishes(nb::class_<CharacterHandle>& c) {
     c.def(
         "_move",
         [](const CharacterHandle& h, nb::handle axis) {
-            row(h).wish.move = in_range(axis, "Character.move", "axis", -1, 1);
+            float wanted = in_range(axis, "Character.move", "axis", -1, 1);
+            row(h).wish.move = wanted;
         },
         nb::arg("axis").none());
     c.def(
         "_climb",
         [](const CharacterHandle& h, nb::handle axis) {
-            row(h).wish.climb = in_range(axis, "Character.climb", "axis", -1, 1);
+            float wanted = in_range(axis, "Character.climb", "axis", -1, 1);
+            row(h).wish.climb = wanted;
         },
         nb::arg("axis").none());
     c.def("_jump", [](const CharacterHandle& h) {
@@ -121,11 +126,10 @@ void bind_state(nb::class_<CharacterHandle>& c) {
             return from_vec2(it.velocity + it.ground_velocity);
         },
         [](const CharacterHandle& h, nb::handle value) {
-            Character& it = row(h);
             Vec2 v = to_vec2(value, kOwner, "velocity");
             if (std::abs(v.x) > kMaxSpeed || std::abs(v.y) > kMaxSpeed)
                 raise(ErrorKind::argument, "Character: velocity must be at most 1e5 m/s along each axis");
-            launch(it, v);
+            launch(row(h), v);
         },
         "Metres a second in the world. Set it to throw the character: what leads off the ground lifts it.");
     c.def_prop_ro("_told", [](const CharacterHandle& h) {

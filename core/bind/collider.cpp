@@ -1,8 +1,7 @@
 // A look into the collider for tests: what its fast ways find, and what the plain ones say of the same.
-#include "bind/module.hpp"
+#include "bind/visit.hpp"
 #include "collider/broad_phase.hpp"
 #include "collider/contacts.hpp"
-#include "world.hpp"
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 

@@ -10,6 +10,7 @@ static_assert(std::size(kErrorNames) == static_cast<std::size_t>(ErrorKind::coun
 
 // Python's own classes, alive as long as the interpreter: the module is never unloaded before them.
 PyTypeObject* vec2_type = nullptr;
+allocfunc new_vec2 = nullptr; // a Vec2 is a tuple subclass without a dictionary: allocated as one
 PyObject* error_types[static_cast<std::size_t>(ErrorKind::count_)] = {};
 
 std::string text_of(nb::handle value) { return nb::cast<std::string>(nb::repr(value)); }
@@ -43,6 +44,7 @@ void load_python_types() {
         error_types[i] = nb::object(errors.attr(kErrorNames[i])).release().ptr();
     nb::object vec2 = nb::module_::import_("evilengine.values.vec2").attr("Vec2");
     vec2_type = reinterpret_cast<PyTypeObject*>(vec2.release().ptr());
+    new_vec2 = reinterpret_cast<allocfunc>(PyType_GetSlot(vec2_type, Py_tp_alloc));
 }
 
 void raise(ErrorKind kind, const std::string& message) {
@@ -95,9 +97,7 @@ void refuse_call(const std::string& name, const std::vector<std::string>& words,
 }
 
 PyVec2 from_vec2(Vec2 value) {
-    // Vec2 is a tuple subclass without a dictionary: allocate it as one and fill the two places.
-    allocfunc allocate = reinterpret_cast<allocfunc>(PyType_GetSlot(vec2_type, Py_tp_alloc));
-    PyObject* pair = allocate(vec2_type, 2);
+    PyObject* pair = new_vec2(vec2_type, 2);
     if (!pair) throw nb::python_error();
     PyTuple_SetItem(pair, 0, PyFloat_FromDouble(value.x));
     PyTuple_SetItem(pair, 1, PyFloat_FromDouble(value.y));

@@ -63,7 +63,8 @@ template <Vec2 Force::* Field> void bind_vec2(nb::class_<ForceHandle>& c, const 
     c.def_prop_rw(
         name, [](const ForceHandle& h) { return from_vec2(row(h).*Field); },
         [name](const ForceHandle& h, nb::handle value) {
-            row(h).*Field = to_vec2(value, "Force", name);
+            Vec2 given = to_vec2(value, "Force", name);
+            row(h).*Field = given;
             wake_all_of(h);
         });
 }
@@ -93,8 +94,9 @@ void register_force(nb::module_& module) {
     bind_float<&Force::density>(c, "density");
     c.def_prop_ro("area", outline_of);
     c.def("set_area", [](const ForceHandle& h, const NewShape& spec, nb::handle at, double angle) {
+        Area area = area_of(spec, at, angle);
         require_alive(h);
-        set_area(*h.world, h.ref.slot, area_of(spec, at, angle));
+        set_area(*h.world, h.ref.slot, std::move(area));
     });
     c.def_prop_rw(
         "note", [](const ForceHandle& h) { return row(h).note; },

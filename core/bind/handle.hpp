@@ -1,7 +1,6 @@
 #pragma once
 // What the handles of Python have in common: a world that they keep alive, a reference into it, and what they were.
-#include "bind/convert.hpp"
-#include "world.hpp"
+#include "bind/visit.hpp"
 #include <memory>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
@@ -20,6 +19,8 @@ using BodyHandle = Handle<BodyTag>;
 using ShapeHandle = Handle<ShapeTag>;
 using ForceHandle = Handle<ForceTag>;
 using JointHandle = Handle<JointTag>;
+
+template <class Tag> Door* door_of(const Handle<Tag>& h) { return h.world ? &h.world->door : nullptr; }
 
 inline const Slots& slots_of(const BodyHandle& h) { return h.world->bodies.slots; }
 inline const Slots& slots_of(const ShapeHandle& h) { return h.world->shapes.slots; }
@@ -91,8 +92,10 @@ template <class H> void bind_identity(nb::class_<H>& c) {
     c.def(
         "__eq__",
         [](const H& h, nb::handle other) {
-            const H* o = nullptr;
-            return nb::try_cast<const H*>(other, o) && o && o->world == h.world && o->ref == h.ref;
+            if (!nb::isinstance<H>(other) || !nb::inst_ready(other)) return false;
+            const H& o =
+                *nb::inst_ptr<H>(other); // without going into its world, where another thread may wait for ours
+            return o.world == h.world && o.ref == h.ref;
         },
         nb::arg("other").none(), nb::sig("def __eq__(self, other: object, /) -> bool"));
     c.def("__hash__", [](const H& h) {

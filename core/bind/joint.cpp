@@ -42,7 +42,8 @@ template <Vec2 Joint::* Field, class C> void bind_point(nb::class_<C>& c, const 
     c.def_prop_rw(
         name, [](const C& h) { return from_vec2(fields(h).*Field); },
         [name](C& h, nb::handle value) {
-            fields(h).*Field = to_vec2(value, "Joint", name);
+            Vec2 given = to_vec2(value, "Joint", name);
+            fields(h).*Field = given;
             changed(h);
         });
 }

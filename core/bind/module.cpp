@@ -9,6 +9,7 @@ NB_MODULE(_core, module) {
     nb::set_leak_warnings(false);
 #endif
     evil::bind::load_python_types();
+    evil::bind::register_threads();
     evil::bind::register_views(module);
     evil::bind::register_shape(module);
     evil::bind::register_world(module);

@@ -8,6 +8,7 @@ namespace nb = nanobind;
 
 namespace evil::bind {
 
+void register_threads();
 void register_world(nb::module_& module);
 void register_body(nb::module_& module);
 void register_shape(nb::module_& module);

@@ -81,8 +81,9 @@ Hits* cast_rays(World& w, nb::handle owner, nb::handle starts, nb::handle ends, 
     auto s = to_places(starts, "World.ray_casts", "starts"), e = to_places(ends, "World.ray_casts", "ends");
     std::size_t n = rows_of(s.rows.size(), s.one, e.rows.size(), e.one, "World.ray_casts", "starts and ends");
     Asked asked(kinds, mask, ignored);
-    Scene scene = w.scene();
     auto hits = std::make_unique<Hits>(nb::borrow(owner), n);
+    Meanwhile others(n >= kManyQuestions);
+    Scene scene = w.scene();
     parallel_for(w.threads, n, 256, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             std::optional<RayHit> hit = ray_cast(scene, s.at(i), e.at(i), asked.filter);
@@ -126,9 +127,10 @@ Hits* cast_shapes(World& w, nb::handle owner, const NewShape& spec, nb::handle s
     std::size_t n = rows_of(s.rows.size(), s.one, e.rows.size(), e.one, me, "starts and ends");
     n = rows_of(n, s.one && e.one, a.rows.size(), a.one, me, "ways and angles");
     Asked asked(kinds, mask, ignored);
-    Scene scene = w.scene();
     Probe probe(spec);
     auto hits = std::make_unique<Hits>(nb::borrow(owner), n);
+    Meanwhile others(n >= kManyQuestions);
+    Scene scene = w.scene();
     for (std::size_t i = 0; i < n; ++i) {
         probe.put(s.at(i), a.at(i));
         std::optional<RayHit> hit = shape_cast(scene, probe.shapes, e.at(i) - s.at(i), asked.filter);
@@ -153,8 +155,9 @@ NearestHits* find_nearest_each(World& w, nb::handle owner, nb::handle points, fl
                                std::uint32_t mask, nb::handle ignored) {
     auto p = to_places(points, "World.nearest_each", "points");
     Asked asked(kinds, mask, ignored);
-    Scene scene = w.scene();
     auto hits = std::make_unique<NearestHits>(nb::borrow(owner), p.rows.size());
+    Meanwhile others(p.rows.size() >= kManyQuestions);
+    Scene scene = w.scene();
     for (std::size_t i = 0; i < p.rows.size(); ++i) {
         std::optional<NearHit> near = nearest(scene, p.rows[i], within, asked.filter);
         if (near)
@@ -196,9 +199,10 @@ BodyLists* find_at_each(World& w, nb::handle owner, nb::handle points, unsigned 
                         nb::handle ignored) {
     auto p = to_point_or_points(points, "World.bodies_at_each", "points", kFinite);
     Asked asked(kinds, mask, ignored);
-    Scene scene = w.scene();
     auto lists = std::make_unique<BodyLists>(BodyLists{nb::borrow(owner), {}, {}});
     std::vector<std::uint32_t> found;
+    Meanwhile others(p.rows.size() >= kManyQuestions);
+    Scene scene = w.scene();
     for (Vec2 point : p.rows) {
         bodies_at(scene, point, asked.filter, found);
         add_list(*lists, w, found);
@@ -213,10 +217,11 @@ BodyLists* find_overlapping_each(World& w, nb::handle owner, const NewShape& spe
     auto a = to_number_or_numbers(angles, me, "angle", kFinite);
     std::size_t n = rows_of(p.rows.size(), p.one, a.rows.size(), a.one, me, "points and angles");
     Asked asked(kinds, mask, ignored);
-    Scene scene = w.scene();
     auto lists = std::make_unique<BodyLists>(BodyLists{nb::borrow(owner), {}, {}});
     Probe probe(spec);
     std::vector<std::uint32_t> found;
+    Meanwhile others(n >= kManyQuestions);
+    Scene scene = w.scene();
     for (std::size_t i = 0; i < n; ++i) {
         probe.put(p.at(i), a.at(i));
         bodies_overlapping(scene, probe.shapes, asked.filter, found);

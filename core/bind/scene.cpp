@@ -1,9 +1,9 @@
 // _core.Scene: the drawings of a scene by slot and generation, and the DrawList they become. evilengine.scene is its face;
 // it composes the words of errors about drawings, so here they are short.
 #include "draw/scene.hpp"
-#include "bind/convert.hpp"
 #include "bind/scene.hpp"
 #include "bind/shapes.hpp"
+#include "bind/visit.hpp"
 #include "draw/debug.hpp"
 #include "draw/saving.hpp"
 #include "shapes/rounded.hpp"

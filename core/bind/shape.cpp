@@ -49,8 +49,9 @@ void bind_material(nb::class_<ShapeHandle>& c, const char* name, float most, con
     def_value(
         c, name, kNumber, [](const ShapeHandle& h) { return row(h).material.*Field; },
         [name, most](const ShapeHandle& h, nb::handle value) {
+            float number = in_range(value, "Shape", name, 0.0f, most);
             Shape& shape = row(h);
-            shape.material.*Field = in_range(value, "Shape", name, 0.0f, most);
+            shape.material.*Field = number;
             ++h.world->shapes.material_changes;
             wake(*h.world, shape.body);
         },
@@ -182,8 +183,9 @@ void register_shape(nb::module_& module) {
     def_value(
         c, "density", kNumber, [](const ShapeHandle& h) { return row(h).material.density; },
         [](const ShapeHandle& h, nb::handle value) {
+            float density = in_range(value, "Shape", "density", 0.0f, 1e9f);
             require_alive(h);
-            MassProblem problem = set_density(*h.world, h.ref.slot, in_range(value, "Shape", "density", 0.0f, 1e9f));
+            MassProblem problem = set_density(*h.world, h.ref.slot, density);
             if (problem != MassProblem::none) raise_mass(problem, "Shape.density");
         },
         "Relative to water, 1.0: kilograms a square metre.");
@@ -197,8 +199,9 @@ void register_shape(nb::module_& module) {
     c.def_prop_ro("outline", outline, kOutline);
     c.def_prop_ro("_matrix", [](const ShapeHandle& h) { return from_affine(row(h).local); });
     c.def("_apply_matrix", [](const ShapeHandle& h, nb::handle matrix) {
+        Affine m = to_affine(matrix, "Shape.apply_matrix");
         require_alive(h);
-        MatrixProblem problem = apply_to_shape(*h.world, h.ref.slot, to_affine(matrix, "Shape.apply_matrix"));
+        MatrixProblem problem = apply_to_shape(*h.world, h.ref.slot, m);
         if (problem != MatrixProblem::none) raise_matrix(problem, "Shape.apply_matrix");
     });
     c.def("_destroy", [](const ShapeHandle& h) {

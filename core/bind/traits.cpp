@@ -29,35 +29,37 @@ Vec2 to_side(nb::handle value, const char* owner) {
     return side;
 }
 
-// Each trait: its name, and the value it takes from Python.
-using Setter = void (*)(Traits& traits, nb::handle value, const char* owner);
+// Each trait: its name, the value it takes from Python, and that value from one thing to another.
+template <auto Value> void copy(const Traits& from, Traits& to) { to.*Value = from.*Value; }
 struct Trait {
     const char* name;
-    Setter set;
+    void (*copy)(const Traits& from, Traits& to);
+    void (*set)(Traits& traits, nb::handle value, const char* owner);
 };
 
 constexpr Trait kCategory{
-    "category", [](Traits& t, nb::handle value, const char* owner) {
+    "category", copy<&Traits::category>, [](Traits& t, nb::handle value, const char* owner) {
         t.category = static_cast<std::uint32_t>(
             to_whole(value, owner, "category", 1, 0xffffffffll, "each bit is a category, such as 1, 2, 4 or 1 << 3"));
     }};
-constexpr Trait kMask{"mask", [](Traits& t, nb::handle value, const char* owner) {
+constexpr Trait kMask{"mask", copy<&Traits::mask>, [](Traits& t, nb::handle value, const char* owner) {
                           t.mask = static_cast<std::uint32_t>(to_whole(
                               value, owner, "mask", 0, 0xffffffffll, "the bits of the categories it meets, as 2 | 4"));
                       }};
-constexpr Trait kGroup{"group", [](Traits& t, nb::handle value, const char* owner) {
+constexpr Trait kGroup{"group", copy<&Traits::group>, [](Traits& t, nb::handle value, const char* owner) {
                            t.group = static_cast<std::int32_t>(
                                to_whole(value, owner, "group", -0x80000000ll, 0x7fffffffll,
                                         "0 for none, positive to meet always, negative never"));
                        }};
-constexpr Trait kSensor{
-    "sensor", [](Traits& t, nb::handle value, const char* owner) { t.sensor = to_bool(value, owner, "sensor"); }};
-constexpr Trait kOneWay{"one_way",
+constexpr Trait kSensor{"sensor", copy<&Traits::sensor>, [](Traits& t, nb::handle value, const char* owner) {
+                            t.sensor = to_bool(value, owner, "sensor");
+                        }};
+constexpr Trait kOneWay{"one_way", copy<&Traits::one_way>,
                         [](Traits& t, nb::handle value, const char* owner) { t.one_way = to_side(value, owner); }};
-constexpr Trait kSurfaceSpeed{"surface_speed", [](Traits& t, nb::handle value, const char* owner) {
-                                  t.surface_speed =
-                                      in_range(value, owner, "surface_speed", -kMaxSurfaceSpeed, kMaxSurfaceSpeed);
-                              }};
+constexpr Trait kSurfaceSpeed{
+    "surface_speed", copy<&Traits::surface_speed>, [](Traits& t, nb::handle value, const char* owner) {
+        t.surface_speed = in_range(value, owner, "surface_speed", -kMaxSurfaceSpeed, kMaxSurfaceSpeed);
+    }};
 constexpr const Trait* kTraits[] = {&kCategory, &kMask, &kGroup, &kSensor, &kOneWay, &kSurfaceSpeed};
 
 const Traits& traits_of(const BodyHandle& h) {
@@ -70,10 +72,11 @@ void change(const BodyHandle& h, const Trait& trait, nb::handle value) {
     Traits own = traits_of(h);
     trait.set(own, value, "Body"); // refuses before anything has changed
     World& world = *h.world;
+    std::uint32_t first = row(h).first_shape; // reading the value may have run Python, which may have destroyed it
     world.bodies.traits[h.ref.slot] = own;
-    for (std::uint32_t s = row(h).first_shape; s != kNone; s = world.shapes.rows[s].next) {
+    for (std::uint32_t s = first; s != kNone; s = world.shapes.rows[s].next) {
         Traits traits = world.shapes.rows[s].traits;
-        trait.set(traits, value, "Body");
+        trait.copy(own, traits);
         set_traits(world, s, traits);
     }
 }
@@ -81,6 +84,7 @@ void change(const BodyHandle& h, const Trait& trait, nb::handle value) {
 void change(const ShapeHandle& h, const Trait& trait, nb::handle value) {
     Traits traits = traits_of(h);
     trait.set(traits, value, "Shape");
+    require_alive(h);
     set_traits(*h.world, h.ref.slot, traits);
 }
 
@@ -131,7 +135,9 @@ void bind_traits(nb::class_<BodyHandle>& c) { bind_all(c); }
 void bind_traits(nb::class_<ShapeHandle>& c) {
     bind_all(c);
     c.def("_set_traits", [](const ShapeHandle& h, Words words) { // of a shape just added
-        set_traits(*h.world, h.ref.slot, to_traits(words, "Body.add_shape", traits_of(h)));
+        Traits traits = to_traits(words, "Body.add_shape", traits_of(h));
+        require_alive(h);
+        set_traits(*h.world, h.ref.slot, traits);
     });
 }
 

@@ -1,6 +1,5 @@
 #pragma once
-#include "bind/convert.hpp"
-#include "world.hpp"
+#include "bind/visit.hpp"
 
 namespace evil::bind {
 

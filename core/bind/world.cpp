@@ -192,7 +192,13 @@ void register_world(nb::module_& module) {
                nb::arg("friction"), nb::arg("restitution"), "A shape with the place and material of one use.");
     nb::class_<World> c(module, "World", "The simulation's state and kernels.");
     c.def(nb::init<>());
-    c.def("step", [](World& w, float dt, int substeps) { w.step(dt, substeps); }, nb::arg("dt"), nb::arg("substeps"));
+    c.def(
+        "step",
+        [](World& w, float dt, int substeps) {
+            Meanwhile others(is_large(w));
+            w.step(dt, substeps);
+        },
+        nb::arg("dt"), nb::arg("substeps"));
     c.def_prop_rw(
         "gravity", [](const World& w) { return from_vec2(w.gravity); },
         [](World& w, nb::handle value) { set_gravity(w, to_vec2(value, "World", "gravity")); });
@@ -224,7 +230,9 @@ void register_world(nb::module_& module) {
         const std::size_t size = snapshot_size(w);
         nb::bytes bytes = nb::steal<nb::bytes>(PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(size)));
         if (!bytes.is_valid()) throw std::bad_alloc();
-        write_snapshot(w, {reinterpret_cast<std::uint8_t*>(PyBytes_AsString(bytes.ptr())), size});
+        std::span<std::uint8_t> room(reinterpret_cast<std::uint8_t*>(PyBytes_AsString(bytes.ptr())), size);
+        Meanwhile others(is_large(w));
+        write_snapshot(w, room);
         return bytes;
     });
     nb::class_<Saved> saved(module, "Saved", "A snapshot that was read and found whole.");
@@ -238,11 +246,17 @@ void register_world(nb::module_& module) {
     c.def("restore", [](World& w, Saved& s) {
         if (!s.state) raise(ErrorKind::snapshot, "World.restore: this snapshot was used up; read it again");
         const std::vector<std::uint32_t> bodies = w.bodies.slots.generations(), shapes = w.shapes.slots.generations();
-        restore(w, *s.state);
-        s.state.reset();
+        const std::shared_ptr<SavedState> state = std::move(s.state);
+        {
+            Meanwhile others(is_large(w));
+            restore(w, *state);
+        }
         return std::pair(changed(bodies, w.bodies.slots), changed(shapes, w.shapes.slots));
     });
-    c.def("checksum", [](const World& w) { return checksum(w); });
+    c.def("checksum", [](const World& w) {
+        Meanwhile others(is_large(w));
+        return checksum(w);
+    });
     c.def("sums", [](const World& w) {
         const Sums each = sums(w);
         return std::tuple(each.bodies, each.contacts, each.forces);

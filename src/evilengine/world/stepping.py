@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import threading
 from typing import TYPE_CHECKING, Any
 
 from evilengine import _core
 from evilengine.values.checks import number
+from evilengine.values.errors import ArgumentError
 from evilengine.values.vec2 import to_vec2
 from evilengine.world.character import tell_characters
 from evilengine.world.contacts import ContactList
@@ -16,6 +18,27 @@ from evilengine.world.sensors import VisitList
 if TYPE_CHECKING:
     from evilengine.world.body import Body
     from evilengine.world.world import World
+
+
+class StepInProgress:
+    """A world's step as a whole, callbacks and all: there is one at a time."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._thread = 0
+
+    def __enter__(self) -> None:
+        if not self._lock.acquire(blocking=False):
+            if self._thread == threading.get_ident():
+                where = "inside a callback of this world's step; the step goes on by itself"
+            else:
+                where = "while another thread is in the middle of this world's step; let one thread do the stepping"
+            raise ArgumentError(f"World.step: called {where}")
+        self._thread = threading.get_ident()
+
+    def __exit__(self, *error: object) -> None:
+        self._thread = 0
+        self._lock.release()
 
 
 def update(world: World, dt: float) -> None:

@@ -22,6 +22,7 @@ from evilengine.world.joints import BrokenJoint, Joint, Joints
 from evilengine.world.joints.joint import bury_joints, enter
 from evilengine.world.queries import Queries
 from evilengine.world.shapes import ShapeDefinition
+from evilengine.world.stepping import StepInProgress
 from evilengine.world.traits import Side
 
 MAX_STEP = 1.0
@@ -59,7 +60,7 @@ class World(Queries, Happenings, Cast):
         self._updated: list[Body] = []  # bodies with on_update
         self._motions: dict[int, tuple[Body, Motion]] = {}
         self._heard: set[str] = set()  # kinds of events that any body wants to be told
-        self._stepping = False
+        self._step = StepInProgress()
         self.gravity = to_vec2(gravity, "World", "gravity")
         self.sleep = sleep
         if isinstance(threads, bool) or not isinstance(threads, int) or not 1 <= threads <= 256:
@@ -114,7 +115,7 @@ class World(Queries, Happenings, Cast):
     @property
     def forces(self) -> tuple[Force, ...]:
         """All forces, in the order of their slots."""
-        return tuple(self._forces[slot] for slot in sorted(self._forces))
+        return tuple(force for _, force in sorted(self._forces.items()))
 
     @property
     def joints(self) -> Joints:
@@ -297,23 +298,21 @@ class World(Queries, Happenings, Cast):
         Behaviours and Python forces act first, then the core steps, then events are told, in creation order. An
         exception in a callback comes out of here with the world whole.
 
+        Other threads run while the core steps a world of a hundred bodies or more; what they ask of this world waits
+        until it is done, and a step from another thread raises ArgumentError.
+
         >>> world = evil.World(); world.step(); world.steps
         1
         """
         dt = number(dt, "World.step", "dt", above=0.0, most=MAX_STEP)
         if isinstance(substeps, bool) or not isinstance(substeps, int) or not 1 <= substeps <= 256:
             raise ArgumentError(f"World.step: substeps={substeps!r} must be a whole number from 1 to 256")
-        if self._stepping:
-            raise ArgumentError("World.step: called inside a callback of this world's step; the step goes on by itself")
-        self._stepping = True
-        try:
+        with self._step:
             stepping.update(self, dt)
             stepping.move_followers(self, dt)
             stepping.ask_forces(self, dt)
             self._core.step(dt, substeps)
             stepping.tell_events(self)
-        finally:
-            self._stepping = False
 
     # -- asking --
 
@@ -425,7 +424,7 @@ class World(Queries, Happenings, Cast):
             if not force.alive:
                 assert force._ref is not None
                 force._ref._bury(self.steps)
-                del self._forces[slot]
+                self._forces.pop(slot, None)
         bury_joints(self)
 
     def _destroy_shape(self, shape: Shape) -> None:

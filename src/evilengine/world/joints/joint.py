@@ -222,11 +222,11 @@ def enter(world: World, joint: AnyJoint) -> AnyJoint:
 
 def bury_joints(world: World) -> list[Joint]:
     """Those that have gone with a body, or broke: forget them, and let their handles know when."""
-    gone = [joint for joint in world._joints.values() if not joint.alive]
+    gone = [joint for joint in tuple(world._joints.values()) if not joint.alive]
     for joint in gone:
         handle = joint._handle()
         handle._bury(world.steps)
-        del world._joints[handle.slot]
+        world._joints.pop(handle.slot, None)
     return gone
 
 
@@ -236,8 +236,9 @@ def joints_that_broke(world: World) -> tuple[BrokenJoint, ...]:
     if not rows and not world._broken_joints:
         return ()
     world._broken_joints = tuple(
-        BrokenJoint(world._joints[slot], world._body(a, ga), world._body(b, gb), force, torque)
+        BrokenJoint(joint, world._body(a, ga), world._body(b, gb), force, torque)
         for slot, _, a, ga, b, gb, force, torque in rows
+        if (joint := world._joints.get(slot)) is not None  # another thread may have been here since
     )
     bury_joints(world)
     return world._broken_joints
@@ -255,7 +256,8 @@ class Joints:
         return _core.joint_count(self._world._core)
 
     def __iter__(self) -> Iterator[Joint]:
-        return iter([self._world._joints[slot] for slot in _core.joint_slots(self._world._core)])
+        slots, joints = _core.joint_slots(self._world._core), self._world._joints
+        return iter([joints[slot] for slot in slots if slot in joints])
 
     def __contains__(self, joint: object) -> bool:
         return isinstance(joint, Joint) and joint._world is self._world and joint.alive
