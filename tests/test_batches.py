@@ -10,6 +10,7 @@ from drawing import BLUE, GREEN, RED, WHITE, Points, place, star
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import evilengine as evil
 from evilengine import _core
 from evilengine.renderer.gl.pipeline import INSTANCE, MIXES, ROW
 from evilengine.values.errors import ArgumentError
@@ -38,31 +39,50 @@ def textured(textures: list[int], batcher: _core.Batcher) -> list[Batch]:
     return batcher.collect(content, *SIZE)
 
 
+def test_what_blends_otherwise_is_a_draw_call_of_its_own_and_what_adds_is_not() -> None:
+    batcher, content = _core.Batcher(), _core.DrawList()
+    square = content.polygon([(0, 0), (4, 0), (4, 4), (0, 4)])
+    for blend in (0, 1, 0, 2, 2, 3, 1):
+        content.instance(square, blend=blend)
+    batches = batcher.collect(content, 64, 64)
+    assert [(first, count, look // 2) for first, count, _, look in batches] == [
+        (0, 3, 0),
+        (3, 2, 2),
+        (5, 1, 3),
+        (6, 1, 0),
+    ]
+    with pytest.raises(evil.ArgumentError, match="blend must be"):
+        content.instance(square, blend=4)
+
+
 def test_things_of_one_texture_are_one_draw_call() -> None:
     batcher = _core.Batcher()
     crate = batcher.hold()
-    assert textured([crate] * 500, batcher) == [(0, 500, (crate,), False)]
+    assert textured([crate] * 500, batcher) == [(0, 500, (crate,), 0)]
 
 
 def test_what_has_no_texture_goes_along_with_what_has_one() -> None:
     batcher = _core.Batcher()
     crate = batcher.hold()
-    assert textured([0, crate, 0, crate, 0], batcher) == [(0, 5, (crate,), False)]
-    assert textured([0, 0], batcher) == [(0, 2, (), False)]
+    assert textured([0, crate, 0, crate, 0], batcher) == [(0, 5, (crate,), 0)]
+    assert textured([0, 0], batcher) == [(0, 2, (), 0)]
 
 
 def test_a_draw_call_mixes_eight_textures_in_any_order_and_the_ninth_begins_another() -> None:
     batcher = _core.Batcher()
     held = [batcher.hold() for _ in range(MIXES[-1] + 1)]
-    assert textured(held[:-1] * 3, batcher) == [(0, 24, tuple(held[:-1]), False)]
-    assert textured(held + held[:1], batcher) == [(0, 8, tuple(held[:8]), False), (8, 2, (held[8], held[0]), False)]
+    assert textured(held[:-1] * 3, batcher) == [(0, 24, tuple(held[:-1]), 0)]
+    assert textured(held + held[:1], batcher) == [
+        (0, 8, tuple(held[:8]), 0),
+        (8, 2, (held[8], held[0]), 0),
+    ]
 
 
 def test_a_texture_that_was_dropped_or_never_was_is_not_drawn_with() -> None:
     batcher = _core.Batcher()
     crate = batcher.hold()
     batcher.drop(crate)
-    assert textured([crate, 7, 4_000_000_000], batcher) == [(0, 3, (), False)]
+    assert textured([crate, 7, 4_000_000_000], batcher) == [(0, 3, (), 0)]
     with pytest.raises(ArgumentError, match=f"texture={crate} is not one"):
         batcher.drop(crate)
     assert batcher.hold() != crate

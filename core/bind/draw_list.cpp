@@ -109,7 +109,7 @@ std::uint32_t circle(DrawList& list, nb::handle radius, nb::handle at, nb::handl
 }
 
 void instance(DrawList& list, nb::handle mesh, nb::handle to_pixel, nb::handle tint, nb::handle texture, double outline,
-              nb::handle to_texture) {
+              nb::handle to_texture, std::uint32_t blend) {
     draw::Instance result;
     result.mesh = to_unsigned<std::uint32_t>(mesh, "instance", "mesh");
     if (result.mesh >= list.meshes.size())
@@ -119,6 +119,8 @@ void instance(DrawList& list, nb::handle mesh, nb::handle to_pixel, nb::handle t
     result.tint = to_unsigned<draw::Rgba8>(tint, "instance", "tint");
     result.texture = to_unsigned<std::uint32_t>(texture, "instance", "texture");
     result.outline = static_cast<float>(outline);
+    if (blend >= draw::kBlends) refuse("instance", "blend must be 0 (over), 1 (add), 2 (multiply) or 3 (screen)");
+    result.blend = static_cast<draw::Blend>(blend);
     list.instances.push_back(result);
 }
 
@@ -137,7 +139,7 @@ void register_draw_list(nb::module_& module) {
              nb::arg("colour") = 0xffffffffu, "Add a circle and return its mesh's index.")
         .def("instance", &instance, nb::arg("mesh"), nb::arg("to_pixel") = nb::none(), nb::kw_only(),
              nb::arg("tint") = 0xffffffffu, nb::arg("texture") = 0u, nb::arg("outline") = 0.0,
-             nb::arg("to_texture") = nb::none(),
+             nb::arg("to_texture") = nb::none(), nb::arg("blend") = 0u,
              "Draw a mesh once more, on top: matrices as a b c d tx ty, tint as 0xAABBGGRR, outline in pixels.")
         .def_prop_ro("vertex_count", [](const DrawList& list) { return list.vertices.size(); })
         .def_prop_ro("index_count", [](const DrawList& list) { return list.indices.size(); })

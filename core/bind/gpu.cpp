@@ -55,7 +55,8 @@ public:
             }
             nb::list textures;
             for (std::uint32_t i = 0; i < batch.units; ++i) textures.append(batch.textures[i]);
-            batches.append(nb::make_tuple(batch.first, batch.count, nb::tuple(textures), int{batch.facets}));
+            const int look = int{batch.facets} + 2 * static_cast<int>(batch.blend);
+            batches.append(nb::make_tuple(batch.first, batch.count, nb::tuple(textures), look));
         }
         return batches;
     }
@@ -95,11 +96,14 @@ void register_gpu(nb::module_& module) {
         .def(nb::init<>())
         .def("hold", &Batcher::hold, "The id of one more picture.")
         .def("drop", &Batcher::drop, nb::arg("texture"), "Draw what names this picture without one from now on.")
-        .def("collect", &Batcher::collect, nb::arg("list"), nb::arg("width"), nb::arg("height"),
-             nb::sig("def collect(self, list: DrawList, width: int, height: int) -> "
-                     "list[tuple[int, int, tuple[int, ...] | None, int]]"),
-             "A frame as draw calls: the first quad, how many, their pictures by unit, and whether any has facets; or "
-             "the first speck, how many, None, and 1 for discs plus 2 for what adds light.")
+        .def(
+            "collect", &Batcher::collect, nb::arg("list"), nb::arg("width"), nb::arg("height"),
+            nb::sig("def collect(self, list: DrawList, width: int, height: int) -> "
+                    "list[tuple[int, int, tuple[int, ...] | None, int]]"),
+            "A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus "
+            "twice "
+            "the number of their draw::Blend; or the first speck, how many, None, and 1 for discs plus 2 for what adds "
+            "light.")
         .def_prop_ro("specks", &Batcher::specks, "The frame's specks; see core/draw/specks.hpp.")
         .def_prop_ro("quads", &Batcher::quads, "The frame's quads; see core/gpu/quads.hpp.")
         .def_prop_ro("edges", &Batcher::edges,

@@ -105,6 +105,40 @@ Reference add_shape(SceneBox& box, const World& world, std::uint32_t slot, float
                        {slot, world.shapes.slots.generation(slot)});
 }
 
+// A rectangle of nine parts: borders in metres, left low right high, and how much of the picture each takes (0..1).
+std::uint32_t sliced_mesh(SceneBox& box, float width, float height, const std::array<float, 4>& border,
+                          const std::array<float, 4>& part) {
+    const float x[] = {-0.5f * width, -0.5f * width + border[0], 0.5f * width - border[2], 0.5f * width};
+    const float y[] = {-0.5f * height, -0.5f * height + border[1], 0.5f * height - border[3], 0.5f * height};
+    const float u[] = {0, part[0], 1 - part[2], 1}, v[] = {1, 1 - part[1], part[3], 0};
+    constexpr int kPlaces[kSliced][2] = {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {3, 2}, {3, 3}, {2, 3},
+                                         {1, 3}, {0, 3}, {0, 2}, {0, 1}, {1, 1}, {2, 1}, {2, 2}, {1, 2}};
+    Vertex corners[kSliced];
+    for (std::size_t k = 0; k < kSliced; ++k) {
+        const auto [i, j] = kPlaces[k];
+        corners[k] = {{x[i], y[j]}, {u[i], v[j]}, 0xffffffffu};
+    }
+    return box.scene.meshes.take_sliced(corners);
+}
+
+std::uint32_t add_clip(SceneBox& box, std::vector<std::uint32_t> textures, double steps, std::uint32_t course) {
+    if (textures.empty() || !(steps > 0.0) || course > static_cast<std::uint32_t>(Course::back))
+        raise(ErrorKind::argument, "Scene.add_clip: needs textures, steps above 0 and a course of 0, 1 or 2");
+    box.scene.clips.push_back({std::move(textures), steps, static_cast<Course>(course)});
+    return static_cast<std::uint32_t>(box.scene.clips.size() - 1);
+}
+
+// The clip that a drawing shows, the step at which it began, the number of the frame that is shown now, and whether it is
+// over; nothing for a drawing without a clip.
+std::optional<std::tuple<std::uint32_t, std::int64_t, std::size_t, bool>>
+playing(SceneBox& box, const World& world, std::uint32_t slot, std::uint32_t generation) {
+    const Playing& shown = drawing_at(box, slot, generation).playing;
+    if (shown.clip == kNone) return std::nullopt;
+    const Clip& clip = box.scene.clips[shown.clip];
+    const double age = static_cast<double>(world.steps) - static_cast<double>(shown.began);
+    return std::tuple(shown.clip, shown.began, frame_at(clip, age), is_over(clip, age));
+}
+
 // A getter and a setter of one member, both by slot and generation.
 template <auto member> auto get() {
     return [](SceneBox& box, std::uint32_t slot, std::uint32_t generation) {
@@ -131,7 +165,9 @@ template <auto member> auto set_matrix() {
 
 std::shared_ptr<DrawList> collect_frame(SceneBox& box, const World& world, const Matrix6& view, double alpha,
                                         float points) {
-    collect(box.scene, world.poses(), world.shapes, to_affine(view), part_of_step(alpha), points, *box.list);
+    const float part = part_of_step(alpha);
+    const double now = static_cast<double>(world.steps) + static_cast<double>(part) - 1.0;
+    collect(box.scene, world.poses(), world.shapes, to_affine(view), part, now, points, *box.list);
     box.overlay.emplace(begin_overlay(*box.list));
     return box.list;
 }
@@ -146,10 +182,11 @@ Counts debug_frame(SceneBox& box, const World& world, const Matrix6& view, doubl
     return {count.bodies, count.asleep, count.contacts, count.joints, count.islands};
 }
 
-// Bytes, and the texture ids that they count 1, 2, ...
-std::tuple<nb::bytes, std::vector<std::uint32_t>> snapshot_scene(const SceneBox& box, const World& world) {
+// Bytes, the texture ids that they count 1, 2, ..., and the clips that they count 0, 1, ...
+std::tuple<nb::bytes, std::vector<std::uint32_t>, std::vector<std::uint32_t>> snapshot_scene(const SceneBox& box,
+                                                                                             const World& world) {
     SceneBytes saved = draw::snapshot(box.scene, world);
-    return {nb::bytes(saved.bytes.data(), saved.bytes.size()), std::move(saved.textures)};
+    return {nb::bytes(saved.bytes.data(), saved.bytes.size()), std::move(saved.textures), std::move(saved.clips)};
 }
 
 struct ReadScene { // on its way from bytes to a restore; the world has a Saved, and nanobind tells types by their names
@@ -175,8 +212,10 @@ std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> places(cons
 }
 
 void restore_scene(SceneBox& box, const ReadScene& saved, const World& world,
-                   const std::vector<std::uint32_t>& textures) {
-    if (textures.size() != saved.scene->textures || !draw::restore(box.scene, *saved.scene, world, textures))
+                   const std::vector<std::uint32_t>& textures, const std::vector<std::uint32_t>& clips) {
+    const bool known = std::ranges::all_of(clips, [&](std::uint32_t clip) { return clip < box.scene.clips.size(); });
+    if (!known || textures.size() != saved.scene->textures || clips.size() != saved.scene->clips ||
+        !draw::restore(box.scene, *saved.scene, world, textures, clips))
         raise(ErrorKind::snapshot, "this scene is of another world");
 }
 
@@ -197,12 +236,13 @@ void register_scene(nb::module_& module) {
     nb::class_<ReadScene>(module, "SavedScene", "A scene that was read and found whole.")
         .def("__init__", [](ReadScene* self, nb::bytes data) { new (self) ReadScene{read_bytes(data)}; })
         .def_prop_ro("textures", [](const ReadScene& saved) { return saved.scene->textures; })
+        .def_prop_ro("clips", [](const ReadScene& saved) { return saved.scene->clips; })
         .def_prop_ro("places", &places, "(slot, body's slot, shape's slot) of each drawing, in the order of creation.");
     nb::class_<SceneBox>(module, "Scene", "Drawings by slot and generation; evilengine.scene is the face.")
         .def(nb::init<>())
         .def("__len__", [](const SceneBox& box) { return box.scene.slots.count(); })
         .def("snapshot", &snapshot_scene, world)
-        .def("restore", &restore_scene, nb::arg("saved"), world, nb::arg("textures"))
+        .def("restore", &restore_scene, nb::arg("saved"), world, nb::arg("textures"), nb::arg("clips"))
         .def(
             "generation", [](const SceneBox& box, std::uint32_t s) { return box.scene.slots.generation(s); }, slot)
         .def_prop_ro("mesh_count", [](const SceneBox& box) { return box.scene.meshes.count(); })
@@ -244,6 +284,58 @@ void register_scene(nb::module_& module) {
                 return box.scene.slots.alive(DrawingRef{s, g});
             },
             slot, generation)
+        .def(
+            "add_sliced",
+            [](SceneBox& box, float width, float height, const std::array<float, 4>& border,
+               const std::array<float, 4>& part, MaybeReference body) {
+                return add_drawing(box, sliced_mesh(box, width, height, border, part), to_body(body));
+            },
+            nb::arg("width"), nb::arg("height"), nb::arg("border"), nb::arg("part"), nb::arg("body") = nb::none(),
+            "A rectangle whose picture keeps its four borders: left, low, right, high, in metres and as parts of it.")
+        .def(
+            "extent",
+            [](SceneBox& box, std::uint32_t s, std::uint32_t g) {
+                const Meshes& meshes = box.scene.meshes;
+                const Mesh& mesh = meshes.meshes()[drawing_at(box, s, g).mesh];
+                if (mesh.kind == MeshKind::circle) return std::tuple(2 * mesh.radius, 2 * mesh.radius);
+                Vec2 low = meshes.vertices()[mesh.first_vertex].at, high = low;
+                for (std::uint32_t i = 1; i < mesh.vertex_count; ++i) {
+                    const Vec2 at = meshes.vertices()[mesh.first_vertex + i].at;
+                    low = min(low, at), high = max(high, at);
+                }
+                return std::tuple(high.x - low.x, high.y - low.y);
+            },
+            slot, generation, "Width and height of its shape, before its matrix.")
+        .def("add_clip", &add_clip, nb::arg("textures"), nb::arg("steps"), nb::arg("course"),
+             "Frames to be shown for so many steps each; course 0 again and again, 1 once, 2 there and back.")
+        .def(
+            "clear_clips", [](SceneBox& box) { box.scene.clips.clear(); },
+            "Forget the clips; there must be no drawing that shows one.")
+        .def("playing", &playing, world, slot, generation)
+        .def(
+            "play",
+            [](SceneBox& box, std::uint32_t s, std::uint32_t g, std::optional<std::uint32_t> clip, std::int64_t began) {
+                if (clip && *clip >= box.scene.clips.size()) raise(ErrorKind::argument, "Scene.play: no such clip");
+                drawing_at(box, s, g).playing = {clip.value_or(kNone), began};
+            },
+            slot, generation, nb::arg("clip").none(), nb::arg("began"))
+        .def("flip_x", get<&Drawing::flip_x>(), slot, generation)
+        .def("set_flip_x", set<&Drawing::flip_x>(), slot, generation, value)
+        .def("flip_y", get<&Drawing::flip_y>(), slot, generation)
+        .def("set_flip_y", set<&Drawing::flip_y>(), slot, generation, value)
+        .def(
+            "blend",
+            [](SceneBox& box, std::uint32_t s, std::uint32_t g) {
+                return static_cast<int>(drawing_at(box, s, g).blend);
+            },
+            slot, generation)
+        .def(
+            "set_blend",
+            [](SceneBox& box, std::uint32_t s, std::uint32_t g, std::uint32_t blend) {
+                if (blend >= kBlends) raise(ErrorKind::argument, "Scene.set_blend: no such blend");
+                drawing_at(box, s, g).blend = static_cast<Blend>(blend);
+            },
+            slot, generation, value)
         .def("tint", get<&Drawing::tint>(), slot, generation)
         .def("set_tint", set<&Drawing::tint>(), slot, generation, value)
         .def("edge", get<&Drawing::edge>(), slot, generation)

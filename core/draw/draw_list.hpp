@@ -24,11 +24,21 @@ struct Mesh {
     MeshKind kind = MeshKind::polygon;
     bool coloured_corners = false; // false: every corner is white, so a renderer can fill flat
     std::uint32_t first_vertex = 0, vertex_count = 0;
+    std::uint32_t inside = 0;                       // vertices that follow those of the outline, for triangles alone
     std::uint32_t first_index = 0, index_count = 0; // triangles, relative to first_vertex; none for a circle
     float radius = 0.0f;                            // circle; texture coordinates span its bounding square
 };
 
 inline constexpr std::uint32_t kNoTexture = 0;
+
+// How a colour meets what is behind it; s and d multiplied with alpha, channel by channel.
+enum class Blend : std::uint8_t {
+    over,     // s + d (1 - alpha of s)
+    add,      // s + d: light
+    multiply, // s d + d (1 - alpha of s): shade, coloured glass
+    screen,   // s + d (1 - s): light that never burns out
+};
+inline constexpr int kBlends = 4;
 
 struct Instance {
     Affine to_pixel;                    // mesh coordinates to target pixels (x right, y down, pixel centres at .5)
@@ -37,6 +47,7 @@ struct Instance {
     std::uint32_t texture = kNoTexture; // id given out by the renderer's texture table
     Rgba8 tint = 0xffffffffu;
     float outline = 0.0f; // 0: filled; otherwise only a stroke of this many pixels, centred on the edge
+    Blend blend = Blend::over;
 };
 
 struct LayerStart { // where a layer's instances begin
@@ -64,12 +75,12 @@ inline void clear(DrawList& list) { // keeps the memory for the next frame
 
 // Whether everything that the mesh names is there: a renderer draws nothing else.
 inline bool is_sound(const DrawList& list, const Mesh& mesh) {
-    const std::uint64_t vertices = std::uint64_t{mesh.first_vertex} + mesh.vertex_count;
+    const std::uint64_t vertices = std::uint64_t{mesh.first_vertex} + mesh.vertex_count + mesh.inside;
     const std::uint64_t indices = std::uint64_t{mesh.first_index} + mesh.index_count;
     if (vertices > list.vertices.size() || indices > list.indices.size()) return false;
     if (mesh.vertex_count < (mesh.kind == MeshKind::circle ? 1u : 3u)) return false;
     for (std::uint64_t i = mesh.first_index; i < indices; ++i)
-        if (list.indices[i] >= mesh.vertex_count) return false;
+        if (list.indices[i] >= mesh.vertex_count + mesh.inside) return false;
     return true;
 }
 

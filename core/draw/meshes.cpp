@@ -12,7 +12,7 @@ namespace {
 std::uint64_t hash_of(const Mesh& kind, std::span<const Vertex> corners) {
     static_assert(sizeof(Vertex) == 20, "no padding: corners are compared and hashed byte by byte");
     return hash({reinterpret_cast<const std::uint8_t*>(corners.data()), corners.size_bytes()}) ^
-           std::bit_cast<std::uint32_t>(kind.radius);
+           std::bit_cast<std::uint32_t>(kind.radius) ^ kind.inside;
 }
 
 bool same_bytes(std::span<const Vertex> a, std::span<const Vertex> b) {
@@ -21,6 +21,19 @@ bool same_bytes(std::span<const Vertex> a, std::span<const Vertex> b) {
 
 // A circle is one vertex, its centre; a renderer adds the corners it wants.
 constexpr Vertex kCentre{{0, 0}, {0.5f, 0.5f}, 0xffffffffu};
+
+// Nine parts of two triangles each:
+//
+//    9---8---7---6
+//    |   |   |   |
+//   10--15--14---5
+//    |   |   |   |
+//   11--12--13---4
+//    |   |   |   |
+//    0---1---2---3
+constexpr std::uint32_t kNineParts[][4] = {{0, 1, 12, 11},   {1, 2, 13, 12},   {2, 3, 4, 13},
+                                           {11, 12, 15, 10}, {12, 13, 14, 15}, {13, 4, 5, 14},
+                                           {10, 15, 8, 9},   {15, 14, 7, 8},   {14, 5, 6, 7}};
 
 constexpr std::size_t kFewUnused = 4096; // below this, holes cost less than moving everything up
 
@@ -39,19 +52,27 @@ std::uint32_t Meshes::take_circle(float radius) {
     return take(kind, {&kCentre, 1});
 }
 
+std::uint32_t Meshes::take_sliced(std::span<const Vertex> corners) {
+    Mesh kind;
+    kind.inside = kSlicedInside;
+    return take(kind, corners);
+}
+
 std::uint32_t Meshes::take(const Mesh& kind, std::span<const Vertex> corners) {
     const std::uint64_t hash = hash_of(kind, corners);
     for (auto [it, last] = by_content_.equal_range(hash); it != last; ++it) {
         const Mesh& known = meshes_[it->second];
-        if (known.kind == kind.kind && known.radius == kind.radius &&
-            same_bytes(corners, std::span(vertices_).subspan(known.first_vertex, known.vertex_count))) {
+        if (known.kind == kind.kind && known.radius == kind.radius && known.inside == kind.inside &&
+            same_bytes(corners, std::span(vertices_).subspan(known.first_vertex, known.vertex_count + known.inside))) {
             ++uses_[it->second];
             return it->second;
         }
     }
 
     triangles_.clear();
-    if (kind.kind == MeshKind::polygon) {
+    if (kind.inside > 0) {
+        for (const auto& [a, b, c, d] : kNineParts) triangles_.insert(triangles_.end(), {a, b, c, a, c, d});
+    } else if (kind.kind == MeshKind::polygon) {
         outline_.clear();
         for (const Vertex& v : corners) outline_.push_back(v.at);
         bool simple = check_polygon(outline_).fault == PolygonFault::none; // not so where a chain crosses itself
@@ -64,7 +85,7 @@ std::uint32_t Meshes::take(const Mesh& kind, std::span<const Vertex> corners) {
     }
     Mesh& mesh = meshes_[slot] = kind;
     mesh.first_vertex = static_cast<std::uint32_t>(vertices_.size());
-    mesh.vertex_count = static_cast<std::uint32_t>(corners.size());
+    mesh.vertex_count = static_cast<std::uint32_t>(corners.size()) - kind.inside;
     mesh.first_index = static_cast<std::uint32_t>(indices_.size());
     mesh.index_count = static_cast<std::uint32_t>(triangles_.size());
     vertices_.insert(vertices_.end(), corners.begin(), corners.end());
@@ -78,11 +99,11 @@ std::uint32_t Meshes::take(const Mesh& kind, std::span<const Vertex> corners) {
 void Meshes::release(std::uint32_t slot) {
     if (--uses_[slot] > 0) return;
     Mesh& mesh = meshes_[slot];
-    auto corners = std::span(std::as_const(vertices_)).subspan(mesh.first_vertex, mesh.vertex_count);
+    auto corners = std::span(std::as_const(vertices_)).subspan(mesh.first_vertex, mesh.vertex_count + mesh.inside);
     auto [it, last] = by_content_.equal_range(hash_of(mesh, corners));
     it = std::find_if(it, last, [slot](const auto& entry) { return entry.second == slot; });
     by_content_.erase(it);
-    unused_vertices_ += mesh.vertex_count;
+    unused_vertices_ += mesh.vertex_count + mesh.inside;
     mesh = Mesh{};
     slots_.release(slot);
     ++revision_;
@@ -96,7 +117,7 @@ void Meshes::compact() {
     for (std::uint32_t slot = 0; slot < meshes_.size(); ++slot) {
         if (!slots_.taken(slot)) continue;
         Mesh& mesh = meshes_[slot];
-        auto corners = std::span(vertices_).subspan(mesh.first_vertex, mesh.vertex_count);
+        auto corners = std::span(vertices_).subspan(mesh.first_vertex, mesh.vertex_count + mesh.inside);
         auto triangles = std::span(indices_).subspan(mesh.first_index, mesh.index_count);
         mesh.first_vertex = static_cast<std::uint32_t>(vertices.size());
         mesh.first_index = static_cast<std::uint32_t>(indices.size());

@@ -7,12 +7,17 @@
 
 namespace evil::draw {
 
+inline constexpr std::uint32_t kSliced = 16, kSlicedInside = 4;
+
 class Meshes {
 public:
     // Each takes a use of the mesh, which is made when it is new. `corners`: a polygon, counter-clockwise; one that is not
     // simple gets no triangles and is filled where it winds round.
     std::uint32_t take_polygon(std::span<const Vertex> corners);
     std::uint32_t take_circle(float radius);
+    // A rectangle of nine parts, each with its own part of a picture: kSliced corners, counter-clockwise round the outside
+    // from the lower left, then the four inside.
+    std::uint32_t take_sliced(std::span<const Vertex> corners);
     void release(std::uint32_t mesh); // gives a use back; the last one frees the mesh
 
     const std::vector<Vertex>& vertices() const { return vertices_; }

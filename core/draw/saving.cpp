@@ -13,7 +13,7 @@ template <class A, Like<Vertex> V> void fields(A& ar, V& v) { visit(ar, v.at, v.
 // What a drawing keeps; the generations of what it is on are a process's own.
 template <class A, Like<Drawing> V> void fields(A& ar, V& d) {
     visit(ar, d.body.slot, d.shape.slot, d.local, d.texture_matrix, d.mesh, d.texture, d.tint, d.edge, d.edge_width,
-          d.layer, d.visible, d.lit, d.serial);
+          d.layer, d.visible, d.lit, d.serial, d.flip_x, d.flip_y, d.blend, d.playing.clip, d.playing.began);
 }
 
 bool is_there(const Drawing& d, const World& world) {
@@ -33,6 +33,7 @@ std::uint32_t number_of(std::uint32_t value, std::vector<std::uint32_t>& of, std
 }
 
 bool is_sound(const SavedMesh& mesh) {
+    if (mesh.sliced) return mesh.radius == 0.0f && mesh.corners.size() == kSliced;
     if (mesh.corners.empty()) return mesh.radius > 0.0f;
     return mesh.radius == 0.0f && mesh.corners.size() >= 3; // a chain's outline may cross itself; numbers are finite
 }
@@ -41,6 +42,8 @@ bool hold_together(const SavedScene& s) {
     std::vector<std::uint64_t> serials;
     for (const Drawing& d : s.drawings) {
         if (d.mesh >= s.meshes.size() || d.texture > s.textures || d.serial >= s.next_serial) return false;
+        if (static_cast<int>(d.blend) >= kBlends) return false;
+        if (d.playing.clip != kNone && d.playing.clip >= s.clips) return false;
         if (d.body.slot == kNone && d.shape.slot != kNone) return false;
         serials.push_back(d.serial);
     }
@@ -56,7 +59,7 @@ bool same_place(const Drawing& a, const Drawing& b) { // references of one proce
 
 SceneBytes snapshot(const Scene& scene, const World& world) {
     SceneBytes result;
-    std::vector<std::uint32_t> slots, meshes, mesh_number, texture_number;
+    std::vector<std::uint32_t> slots, meshes, mesh_number, texture_number, clip_number;
     for (std::uint32_t slot = 0; slot < scene.drawings.size(); ++slot)
         if (scene.slots.taken(slot) && is_there(scene.drawings[slot], world)) slots.push_back(slot);
 
@@ -67,6 +70,7 @@ SceneBytes snapshot(const Scene& scene, const World& world) {
         Drawing d = scene.drawings[slot];
         d.mesh = number_of(d.mesh, mesh_number, meshes) - 1;
         if (d.texture != kNoTexture) d.texture = number_of(d.texture, texture_number, result.textures);
+        if (d.playing.clip != kNone) d.playing.clip = number_of(d.playing.clip, clip_number, result.clips) - 1;
         ar.value(slot);
         fields(ar, d);
     }
@@ -75,11 +79,13 @@ SceneBytes snapshot(const Scene& scene, const World& world) {
         const Mesh& mesh = scene.meshes.meshes()[slot];
         const bool round = mesh.kind == MeshKind::circle;
         ar.value(mesh.radius);
-        ar.count(round ? 0 : mesh.vertex_count);
-        for (std::uint32_t i = 0; i < mesh.vertex_count && !round; ++i)
-            fields(ar, scene.meshes.vertices()[mesh.first_vertex + i]);
+        const std::uint32_t corners = round ? 0 : mesh.vertex_count + mesh.inside;
+        ar.value(mesh.inside > 0);
+        ar.count(corners);
+        for (std::uint32_t i = 0; i < corners; ++i) fields(ar, scene.meshes.vertices()[mesh.first_vertex + i]);
     }
     ar.value(static_cast<std::uint32_t>(result.textures.size()));
+    ar.value(static_cast<std::uint32_t>(result.clips.size()));
     result.bytes = ar.take();
     return result;
 }
@@ -98,14 +104,17 @@ std::shared_ptr<const SavedScene> read_scene(std::span<const std::uint8_t> bytes
     for (std::size_t n = ar.count(); n > 0 && ar.ok; --n) {
         SavedMesh& mesh = saved->meshes.emplace_back();
         ar.value(mesh.radius);
+        ar.value(mesh.sliced);
         for (std::size_t corners = ar.count(); corners > 0 && ar.ok; --corners) fields(ar, mesh.corners.emplace_back());
     }
     ar.value(saved->textures);
+    ar.value(saved->clips);
     if (!ar.ok || !ar.at_end() || !hold_together(*saved)) return nullptr;
     return saved;
 }
 
-bool restore(Scene& scene, const SavedScene& saved, const World& world, std::span<const std::uint32_t> textures) {
+bool restore(Scene& scene, const SavedScene& saved, const World& world, std::span<const std::uint32_t> textures,
+             std::span<const std::uint32_t> clips) {
     std::vector<Drawing> rows;
     std::vector<bool> taken, same;
     for (std::size_t i = 0; i < saved.slots.size(); ++i) {
@@ -122,6 +131,7 @@ bool restore(Scene& scene, const SavedScene& saved, const World& world, std::spa
             d.shape.generation = world.shapes.slots.generation(d.shape.slot);
         }
         if (d.texture != kNoTexture) d.texture = textures[d.texture - 1];
+        if (d.playing.clip != kNone) d.playing.clip = clips[d.playing.clip];
         rows.resize(slot + 1);
         taken.resize(slot + 1, false);
         same.resize(slot + 1, false);
@@ -139,7 +149,9 @@ bool restore(Scene& scene, const SavedScene& saved, const World& world, std::spa
     for (const std::uint32_t slot : saved.slots) {
         Drawing& d = scene.drawings[slot];
         const SavedMesh& mesh = saved.meshes[d.mesh];
-        d.mesh = mesh.corners.empty() ? scene.meshes.take_circle(mesh.radius) : scene.meshes.take_polygon(mesh.corners);
+        d.mesh = mesh.sliced            ? scene.meshes.take_sliced(mesh.corners)
+                 : mesh.corners.empty() ? scene.meshes.take_circle(mesh.radius)
+                                        : scene.meshes.take_polygon(mesh.corners);
         scene.order.push_back({slot, scene.slots.generation(slot)});
     }
     scene.sorted = false;

@@ -74,8 +74,20 @@ void set_layer(Scene& scene, DrawingRef drawing, std::int32_t layer) {
     scene.sorted = false;
 }
 
-void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affine& view, float alpha, float points,
-             DrawList& out) {
+std::uint32_t shown_texture(const Scene& scene, const Drawing& drawing, double now) {
+    if (drawing.playing.clip == kNone) return drawing.texture;
+    const Clip& clip = scene.clips[drawing.playing.clip];
+    return clip.textures[frame_at(clip, now - static_cast<double>(drawing.playing.began))];
+}
+
+Affine texture_place(const Drawing& drawing) {
+    if (!drawing.flip_x && !drawing.flip_y) return drawing.texture_matrix;
+    const float x = drawing.flip_x ? 1.0f : 0.0f, y = drawing.flip_y ? 1.0f : 0.0f;
+    return compose(drawing.texture_matrix, {1 - 2 * x, 0, 0, 1 - 2 * y, x, y});
+}
+
+void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affine& view, float alpha, double now,
+             float points, DrawList& out) {
     std::erase_if(scene.order, [&](DrawingRef ref) {
         if (!scene.slots.alive(ref)) return true;
         if (is_there(scene.drawings[ref.slot], poses, shapes)) return false;
@@ -106,10 +118,11 @@ void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affin
         if (!is_finite(to_pixel)) continue; // too far away for a float; nothing of it would be on the picture
         if (out.layers.empty() || out.layers.back().layer != drawing.layer)
             out.layers.push_back({drawing.layer, static_cast<std::uint32_t>(out.instances.size())});
-        out.instances.push_back({to_pixel, drawing.texture_matrix, drawing.mesh, drawing.texture, drawing.tint, 0.0f});
+        out.instances.push_back({to_pixel, texture_place(drawing), drawing.mesh, shown_texture(scene, drawing, now),
+                                 drawing.tint, 0.0f, drawing.blend});
         if (drawing.edge_width > 0.0f)
             out.instances.push_back(
-                {to_pixel, {}, drawing.mesh, kNoTexture, drawing.edge, drawing.edge_width * points});
+                {to_pixel, {}, drawing.mesh, kNoTexture, drawing.edge, drawing.edge_width * points, drawing.blend});
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // What is drawn (SPEC A5, G13): drawings that follow a body or stand by themselves, in layers.
 #include "draw/draw_list.hpp"
+#include "draw/flipbook.hpp"
 #include "draw/meshes.hpp"
 #include "published.hpp"
 #include "shapes/shapes.hpp"
@@ -22,11 +23,15 @@ struct Drawing {            // draw/saving.cpp says which of it is saved
     std::int32_t layer = 0;  // higher is nearer
     bool visible = true;
     bool lit = false;
+    bool flip_x = false, flip_y = false; // the picture mirrored, left for right and top for bottom
+    Blend blend = Blend::over;
+    Playing playing;
     std::uint64_t serial = 0; // order of creation, never used again
 };
 
 struct Scene { // State
     Meshes meshes;
+    std::vector<Clip> clips;
     Slots slots;
     std::vector<Drawing> drawings; // by slot
     std::vector<DrawingRef> order; // back to front; removed ones leave at the next collect()
@@ -41,10 +46,15 @@ void remove(Scene& scene, DrawingRef drawing); // must be alive
 void set_layer(Scene& scene, DrawingRef drawing, std::int32_t layer);
 
 // One frame: where things are at `alpha` (0..1) between the last two steps, seen through `view` (world to pixels).
-// Drawings whose body or shape is gone are removed. `points`: pixels of a logical point. `out` must be the same list every time: meshes
+// Drawings whose body or shape is gone are removed. `now`: the world's steps at
+// that moment. `points`: pixels of a logical point. `out` must be the same list every time: meshes
 // are copied into it only when they changed. No allocation once the vectors have grown.
-void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affine& view, float alpha, float points,
-             DrawList& out);
+void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affine& view, float alpha, double now,
+             float points, DrawList& out);
+
+// What a drawing shows at that moment, and where on it.
+std::uint32_t shown_texture(const Scene& scene, const Drawing& drawing, double now);
+Affine texture_place(const Drawing& drawing);
 
 // The pose part of the way (0..1) from a to b, turning the shorter way round.
 Pose between(const Pose& a, const Pose& b, float part);

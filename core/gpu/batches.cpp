@@ -95,6 +95,7 @@ bool repeats(const Context& context, const draw::Mesh& mesh, const Affine& to_te
 struct Look {
     Quad quad;
     std::uint32_t flags = 0, facets = 0, texture = draw::kNoTexture;
+    draw::Blend blend = draw::Blend::over; // as in Batch
 };
 
 // With facets the shader finds the mesh's texture coordinates itself.
@@ -108,11 +109,16 @@ Look look_of(const Context& context, const draw::Instance& instance, const Shape
     quad.first_facet = shape.first_facet;
     look.facets = shape.facets;
     if (mesh.coloured_corners && shape.facets > 0) look.flags |= kColoured;
+    if (instance.blend == draw::Blend::add)
+        look.flags |= kAdds;
+    else
+        look.blend = instance.blend;
     const std::uint32_t id = instance.texture;
     if (id == draw::kNoTexture || id >= context.held.size() || !context.held[id]) return look;
     look.texture = id;
     look.flags |= kTextured;
     if (repeats(context, mesh, t)) look.flags |= kRepeat;
+    if (mesh.inside > 0) look.flags |= kFine;
     if (shape.facets > 0) {
         quad.ux = t.a, quad.uy = t.c, quad.uc = t.tx, quad.vx = t.b, quad.vy = t.d, quad.vc = t.ty;
         return look;
@@ -129,6 +135,13 @@ Look look_of(const Context& context, const draw::Instance& instance, const Shape
 
 // ---- quads and runs of them ----
 
+Batch& begin_batch(Frame& frame, draw::Blend blend) {
+    Batch next;
+    next.first = static_cast<std::uint32_t>(frame.quads.size());
+    next.blend = blend;
+    return frame.batches.emplace_back(next);
+}
+
 // The unit of the texture in the last batch, after beginning a new one if it has no room for it.
 std::uint32_t unit_of(Frame& frame, std::uint32_t texture) {
     Batch& batch = frame.batches.back();
@@ -139,11 +152,9 @@ std::uint32_t unit_of(Frame& frame, std::uint32_t texture) {
         batch.textures[batch.units] = texture;
         return batch.units++;
     }
-    Batch next;
-    next.first = static_cast<std::uint32_t>(frame.quads.size());
+    Batch& next = begin_batch(frame, batch.blend);
     next.textures[0] = texture;
     next.units = 1;
-    frame.batches.push_back(next);
     return 0;
 }
 
@@ -151,6 +162,9 @@ void put(Context& context, const Look& look, Cover cover) {
     Frame& frame = context.frame;
     Quad quad = look.quad;
     quad.how = to_how(cover, look.flags, look.facets);
+    const bool fits =
+        !frame.batches.empty() && !frame.batches.back().specks && frame.batches.back().blend == look.blend;
+    if (!fits) begin_batch(frame, look.blend);
     if (look.flags & kTextured) quad.how |= unit_of(frame, look.texture) << 12;
     frame.quads.push_back(quad);
     Batch& batch = frame.batches.back();
@@ -345,14 +359,10 @@ void put_instance(Context& context, const draw::Instance& instance) {
 
 // A draw call of its own, in the midst of those of quads.
 void put_specks(Frame& frame, const draw::SpeckRun& run) {
-    if (frame.batches.back().count == 0) frame.batches.pop_back();
     Batch batch;
     batch.first = run.first, batch.count = run.count, batch.specks = true;
     batch.disc = run.form == draw::SpeckForm::disc, batch.adds = run.adds;
     frame.batches.push_back(batch);
-    Batch next;
-    next.first = static_cast<std::uint32_t>(frame.quads.size());
-    frame.batches.push_back(next);
 }
 
 } // namespace
@@ -362,7 +372,7 @@ void collect(Frame& frame, Shapes& shapes, Scratch& scratch, const draw::DrawLis
     update(shapes, list);
     frame.quads.clear(), frame.edges.clear();
     frame.specks = list.specks.rows;
-    frame.batches.assign(1, {});
+    frame.batches.clear();
     Context context{frame, shapes, scratch, list, held, {0, 0, width, height}};
     auto run = list.specks.runs.begin();
     const auto put_runs = [&](std::size_t before) {
@@ -374,7 +384,6 @@ void collect(Frame& frame, Shapes& shapes, Scratch& scratch, const draw::DrawLis
         if (instance.mesh < list.meshes.size()) put_instance(context, instance);
     }
     put_runs(list.instances.size());
-    if (frame.batches.back().count == 0) frame.batches.pop_back();
 }
 
 } // namespace evil::gpu

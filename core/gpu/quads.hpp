@@ -1,8 +1,7 @@
 #pragma once
 // What a graphics card is given for one frame: a quad round each thing to draw, in runs that one draw call can take, and
 // the edges and facets that its fragment shader reads. renderer/shaders/shape.vert and shape.frag say what they do with it.
-#include "draw/specks.hpp"
-#include "math/transform.hpp"
+#include "draw/draw_list.hpp"
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -35,6 +34,8 @@ enum Flag : std::uint32_t {
     kHollow = 4,    // inside `inner` nothing is covered, rather than everything
     kColoured = 8,  // the facets' colours are multiplied in
     kTextured = 16, // `unit` names a picture
+    kAdds = 32,     // what is behind stays as it is (draw::Blend::add)
+    kFine = 64,     // the picture's copy is picked by the way that it is squeezed less
 };
 
 // One instance of the draw call. Layout known to renderer/gl/pipeline.py (INSTANCE).
@@ -63,8 +64,9 @@ struct Batch { // quads of one draw call, or a run of the list's specks
     std::uint32_t first = 0, count = 0;
     bool specks = false; // first and count are in Frame::specks then
     bool disc = false, adds = false;
-    bool facets = false;     // whether any of them has some
-    std::uint32_t units = 0; // how many of `textures` are in use
+    bool facets = false;                   // whether any of them has some
+    draw::Blend blend = draw::Blend::over; // over, which serves add too; multiply; screen
+    std::uint32_t units = 0;               // how many of `textures` are in use
     std::array<std::uint32_t, kUnits> textures{};
 };
 

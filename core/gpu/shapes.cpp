@@ -19,8 +19,8 @@ template <class T> bool same(const std::vector<T>& a, const std::vector<T>& b) {
 bool same_meshes(std::span<const Mesh> a, std::span<const Mesh> b) { // Mesh has padding, which memcmp would see
     return std::ranges::equal(a, b, [](const Mesh& p, const Mesh& q) {
         return p.kind == q.kind && p.coloured_corners == q.coloured_corners && p.first_vertex == q.first_vertex &&
-               p.vertex_count == q.vertex_count && p.first_index == q.first_index && p.index_count == q.index_count &&
-               p.radius == q.radius;
+               p.vertex_count == q.vertex_count && p.inside == q.inside && p.first_index == q.first_index &&
+               p.index_count == q.index_count && p.radius == q.radius;
     });
 }
 
@@ -92,14 +92,15 @@ Rect box_round(std::span<const Vertex> corners, const Rect& bounds, Vec2 centre)
 }
 
 // A polygon that is wound twice round something, or crosses itself, has no box: even-odd would not do for it.
-Rect inner_box(std::span<const Vertex> corners, std::span<const std::uint32_t> triangles, const Rect& bounds) {
+Rect inner_box(std::span<const Vertex> corners, std::span<const Vertex> vertices,
+               std::span<const std::uint32_t> triangles, const Rect& bounds) {
     if (triangles.empty()) return {};
     Rect best = box_round(corners, bounds, {0.5f * (bounds.left + bounds.right), 0.5f * (bounds.low + bounds.high)});
     if (best.right - best.left >= 0.5f * (bounds.right - bounds.left)) return best;
     double largest = 0;
     Vec2 middle;
     for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
-        const Vec2 a = corners[triangles[i]].at, b = corners[triangles[i + 1]].at, c = corners[triangles[i + 2]].at;
+        const Vec2 a = vertices[triangles[i]].at, b = vertices[triangles[i + 1]].at, c = vertices[triangles[i + 2]].at;
         const double area =
             std::fabs((double{b.x} - a.x) * (double{c.y} - a.y) - (double{b.y} - a.y) * (double{c.x} - a.x));
         if (area > largest) largest = area, middle = (1.0f / 3.0f) * (a + b + c);
@@ -224,8 +225,9 @@ void add_facets(Shapes& shapes, Shape& shape, const Mesh& mesh, std::span<const 
             add_facet(shapes.texels, facet), ++shape.facets;
 }
 
-Shape polygon(Shapes& shapes, const Mesh& mesh, std::span<const Vertex> corners,
+Shape polygon(Shapes& shapes, const Mesh& mesh, std::span<const Vertex> vertices,
               std::span<const std::uint32_t> triangles) {
+    const std::span<const Vertex> corners = vertices.first(mesh.vertex_count); // of the outline
     Shape shape;
     shape.first_edge = static_cast<std::uint32_t>(shapes.texels.size());
     shape.edges = static_cast<std::uint32_t>(corners.size());
@@ -236,8 +238,8 @@ Shape polygon(Shapes& shapes, const Mesh& mesh, std::span<const Vertex> corners,
         low = min(low, a), high = max(high, a);
     }
     shape.bounds = {low.x, low.y, high.x, high.y};
-    shape.inner = inner_box(corners, triangles, shape.bounds);
-    add_facets(shapes, shape, mesh, corners, triangles);
+    shape.inner = inner_box(corners, vertices, triangles, shape.bounds);
+    add_facets(shapes, shape, mesh, vertices, triangles);
     return shape;
 }
 
@@ -267,7 +269,8 @@ void update(Shapes& shapes, const draw::DrawList& list) {
         else if (mesh.kind == draw::MeshKind::circle)
             shapes.shapes.push_back(circle());
         else
-            shapes.shapes.push_back(polygon(shapes, mesh, {list.vertices.data() + mesh.first_vertex, mesh.vertex_count},
+            shapes.shapes.push_back(polygon(shapes, mesh,
+                                            {list.vertices.data() + mesh.first_vertex, mesh.vertex_count + mesh.inside},
                                             {list.indices.data() + mesh.first_index, mesh.index_count}));
     }
     shapes.texels.resize((shapes.texels.size() + kRow - 1) / kRow * kRow);

@@ -72,12 +72,13 @@ bool fits(const Piece& piece, std::span<const Corner> corners) {
     return true;
 }
 
-// The smaller copy whose texels are about as large as pixels, so that none is left out.
-const Picture* level_for(const Texture& texture, const Piece& piece) {
+// The smaller copy whose texels are about as large as pixels, so that none is left out; `fine`: as large as they are the
+// way they are squeezed less.
+const Picture* level_for(const Texture& texture, const Piece& piece, bool fine) {
     const double w = texture.levels[0].width, h = texture.levels[0].height;
     const double across = (piece.u.dx * w) * (piece.u.dx * w) + (piece.v.dx * h) * (piece.v.dx * h);
     const double down = (piece.u.dy * w) * (piece.u.dy * w) + (piece.v.dy * h) * (piece.v.dy * h);
-    double texels_squared = std::max(across, down); // in one pixel
+    double texels_squared = fine ? std::min(across, down) : std::max(across, down); // in one pixel
     std::size_t level = 0;
     while (texels_squared > 1.5 * 1.5 && level + 1 < texture.levels.size()) texels_squared *= 0.25, ++level;
     return &texture.levels[level];
@@ -109,7 +110,7 @@ void prepare_circle(Paint& paint, const draw::Vertex& centre, const draw::Mesh& 
     paint.repeat = outside_picture(a.u - du, a.v - dv) || outside_picture(a.u + du, a.v + dv);
     Piece piece;
     if (!make_piece(piece, a, b, c)) return use_first_corner(paint, a, texture);
-    piece.picture = level_for(*texture, piece);
+    piece.picture = level_for(*texture, piece, false);
     paint.pieces.push_back(piece);
 }
 
@@ -129,7 +130,7 @@ bool largest_piece(Piece& piece, std::span<const Corner> corners, std::span<cons
 }
 
 void prepare_polygon(Paint& paint, std::span<const draw::Vertex> vertices, std::span<const std::uint32_t> triangles,
-                     const draw::Instance& instance, const Texture* texture) {
+                     const draw::Instance& instance, const Texture* texture, bool sliced) {
     std::vector<Corner>& corners = paint.corners;
     corners.clear();
     for (const draw::Vertex& vertex : vertices)
@@ -151,7 +152,7 @@ void prepare_polygon(Paint& paint, std::span<const draw::Vertex> vertices, std::
         if (paint.pieces.empty()) paint.pieces.push_back(piece);
     }
     if (texture)
-        for (Piece& each : paint.pieces) each.picture = level_for(*texture, each);
+        for (Piece& each : paint.pieces) each.picture = level_for(*texture, each, sliced);
 }
 
 // Where the piece lies in the row whose middle is y: the stretch of its inside there. A triangle that only reaches into the
@@ -261,12 +262,13 @@ void prepare(Paint& paint, const draw::DrawList& list, const draw::Mesh& mesh, c
     paint.coloured = mesh.coloured_corners;
     paint.flat = premultiply(instance.tint);
     if (is_flat(paint)) return;
-    const std::span<const draw::Vertex> vertices{list.vertices.data() + mesh.first_vertex, mesh.vertex_count};
+    const std::span<const draw::Vertex> vertices{list.vertices.data() + mesh.first_vertex,
+                                                 mesh.vertex_count + mesh.inside};
     if (mesh.kind == draw::MeshKind::circle) {
         prepare_circle(paint, vertices[0], mesh, instance, texture);
     } else {
         const std::span<const std::uint32_t> triangles{list.indices.data() + mesh.first_index, mesh.index_count};
-        prepare_polygon(paint, vertices, triangles, instance, texture);
+        prepare_polygon(paint, vertices, triangles, instance, texture, mesh.inside > 0);
     }
 }
 

@@ -43,22 +43,37 @@ int cover_of(std::int32_t sum) { // as integrate() does for each pixel
 struct Brush {
     Paint& paint;
     Set set;
-    Pixel* line;    // the target's row
-    Pixel* row;     // the paint's colours
-    int y, right;   // where the row's last run ends
+    Pixel* line;  // the target's row
+    Pixel* row;   // the paint's colours
+    int y, right; // where the row's last run ends
+    draw::Blend blend;
+    std::int32_t* mask;
     int start = -1; // where the first one did
 
     const Pixel* colours(int left) {
         if (start < 0) start = left, paint_row(paint, set, y, left, right, row);
         return row + (left - start);
     }
-    void masked(int left, int end, const std::int32_t* mask) {
+    const Pixel* any_colours(int left, int end) { // also where the paint is flat
+        if (!is_flat(paint)) return colours(left);
+        fill(set, row, end - left, paint.flat);
+        return row;
+    }
+    void masked(int left, int end) {
+        const int count = end - left;
+        if (blend == draw::Blend::add) return add_row(set, line + left, any_colours(left, end), mask, count);
+        if (blend == draw::Blend::multiply) return multiply_row(set, line + left, any_colours(left, end), mask, count);
+        if (blend == draw::Blend::screen) return screen_row(set, line + left, any_colours(left, end), mask, count);
         if (is_flat(paint))
             blend_flat(set, line + left, mask, end - left, paint.flat);
         else
             blend_row(set, line + left, colours(left), mask, end - left);
     }
     void solid(int left, int end, int cover) {
+        if (blend != draw::Blend::over) {
+            std::fill_n(mask, end - left, cover);
+            return masked(left, end);
+        }
         if (!is_flat(paint)) return blend_row(set, line + left, colours(left), end - left, cover);
         const Pixel colour = cover == 255 ? paint.flat : scale_pixel(paint.flat, cover);
         if (colour >> 24 == 255)
@@ -69,7 +84,7 @@ struct Brush {
 };
 
 // Turns one row's cells into runs and draws them. Leaves the cells zero.
-void draw_row(Coverage& coverage, int row, Brush& brush, std::int32_t* mask) {
+void draw_row(Coverage& coverage, int row, Brush& brush) {
     std::uint64_t* touched = coverage.touched.data() + static_cast<std::size_t>(row) * coverage.words;
     std::int32_t* cells = coverage.cells.data() + static_cast<std::size_t>(row) * coverage.stride;
     const int width = coverage.box.right - coverage.box.left, left = coverage.box.left;
@@ -79,8 +94,8 @@ void draw_row(Coverage& coverage, int row, Brush& brush, std::int32_t* mask) {
         int end = block + 1, next = next_touched(touched, coverage.words, end);
         while (next >= 0 && next - end < kGap) end = next + 1, next = next_touched(touched, coverage.words, end);
         const int from = block * kBlock, to = end * kBlock;
-        sum = integrate(brush.set, cells + from, to - from, sum, mask);
-        if (from < width) brush.masked(left + from, left + std::min(to, width), mask);
+        sum = integrate(brush.set, cells + from, to - from, sum, brush.mask);
+        if (from < width) brush.masked(left + from, left + std::min(to, width));
         const int solid_end = next >= 0 ? std::min(next * kBlock, width) : width;
         if (const int cover = cover_of(sum); cover > 0 && to < solid_end)
             brush.solid(left + to, left + solid_end, cover);
@@ -107,8 +122,9 @@ void draw_instance(const draw::DrawList& list, const draw::Instance& instance, c
     }
     prepare(scratch.paint, list, mesh, instance, texture);
     for (int y = box.top; y < box.bottom; ++y) {
-        Brush brush{scratch.paint, set, row_of(target, y), scratch.row.data(), y, box.right};
-        draw_row(scratch.coverage, y - box.top, brush, scratch.mask.data());
+        Brush brush{scratch.paint,      set, row_of(target, y), scratch.row.data(), y, box.right, instance.blend,
+                    scratch.mask.data()};
+        draw_row(scratch.coverage, y - box.top, brush);
     }
 }
 

@@ -21,6 +21,18 @@ void blend_row(Set set, Pixel* to, const Pixel* from, const std::int32_t* mask, 
     EVIL_PICK(set, blend_row_masked_wide)(to, from, mask, count);
 }
 
+void add_row(Set set, Pixel* to, const Pixel* from, const std::int32_t* mask, int count) noexcept {
+    EVIL_PICK(set, add_row_wide)(to, from, mask, count);
+}
+
+void multiply_row(Set set, Pixel* to, const Pixel* from, const std::int32_t* mask, int count) noexcept {
+    EVIL_PICK(set, multiply_row_wide)(to, from, mask, count);
+}
+
+void screen_row(Set set, Pixel* to, const Pixel* from, const std::int32_t* mask, int count) noexcept {
+    EVIL_PICK(set, screen_row_wide)(to, from, mask, count);
+}
+
 std::int32_t integrate(Set set, std::int32_t* cells, int count, std::int32_t sum, std::int32_t* mask) noexcept {
     return EVIL_PICK(set, integrate_wide)(cells, count, sum, mask);
 }

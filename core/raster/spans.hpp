@@ -30,6 +30,10 @@ void blend_flat(Set set, Pixel* to, int count, Pixel colour) noexcept;
 void blend_flat(Set set, Pixel* to, const std::int32_t* mask, int count, Pixel colour) noexcept;
 void blend_row(Set set, Pixel* to, const Pixel* from, int count, int cover) noexcept; // cover 0..255
 void blend_row(Set set, Pixel* to, const Pixel* from, const std::int32_t* mask, int count) noexcept;
+// The other ways in which colours meet (draw::Blend): what they add takes no part in alpha.
+void add_row(Set set, Pixel* to, const Pixel* from, const std::int32_t* mask, int count) noexcept;
+void multiply_row(Set set, Pixel* to, const Pixel* from, const std::int32_t* mask, int count) noexcept;
+void screen_row(Set set, Pixel* to, const Pixel* from, const std::int32_t* mask, int count) noexcept;
 
 // Running sum of `count` cells, a multiple of eight, from `sum` on: 0..255 to mask. Clears the cells; returns the new sum.
 std::int32_t integrate(Set set, std::int32_t* cells, int count, std::int32_t sum, std::int32_t* mask) noexcept;

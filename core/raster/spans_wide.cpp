@@ -177,6 +177,41 @@ void blend_row_masked_wide(Pixel* to, const Pixel* from, const std::int32_t* mas
     }
 }
 
+void add_row_wide(Pixel* to, const Pixel* from, const std::int32_t* mask, int count) noexcept {
+    auto sum = [](Ints a, Ints b) { // in both halves, at most 255
+        Ints both = a + b, beyond = shift_right_unsigned(both, 8) & 0x00010001;
+        return (both | ((beyond << 8) - beyond)) & kPair;
+    };
+    for (int i = 0; i < count; i += 8) {
+        Channels source = multiply_255(split(load_some(from + i, count - i)), load(mask + i));
+        Channels under = split(load_some(to + i, count - i));
+        store_some(to + i, count - i, join({sum(source.rb, under.rb), sum(source.ga & 0xff, under.ga)}));
+    }
+}
+
+void multiply_row_wide(Pixel* to, const Pixel* from, const std::int32_t* mask, int count) noexcept {
+    for (int i = 0; i < count; i += 8) {
+        Ints source = join(multiply_255(split(load_some(from + i, count - i)), load(mask + i)));
+        Ints under = load_some(to + i, count - i), left = Ints(255) - shift_right_unsigned(source, 24), result(0);
+        for (int shift = 0; shift < 32; shift += 8)
+            result = result |
+                     (product(under, shift, shift_right_unsigned(source, shift) & 255) + product(under, shift, left));
+        store_some(to + i, count - i, result);
+    }
+}
+
+void screen_row_wide(Pixel* to, const Pixel* from, const std::int32_t* mask, int count) noexcept {
+    for (int i = 0; i < count; i += 8) {
+        Ints source = join(multiply_255(split(load_some(from + i, count - i)), load(mask + i)));
+        Ints under = load_some(to + i, count - i), result(0);
+        for (int shift = 0; shift < 32; shift += 8) {
+            Ints channel = shift_right_unsigned(source, shift) & 255;
+            result = result | ((channel << shift) + product(under, shift, Ints(255) - channel));
+        }
+        store_some(to + i, count - i, result);
+    }
+}
+
 std::int32_t integrate_wide(std::int32_t* cells, int count, std::int32_t sum, std::int32_t* mask) noexcept {
     constexpr std::int32_t kFull = 1 << 17; // raster::kFullCell
     for (int i = 0; i < count; i += 8) {

@@ -13,6 +13,9 @@ void blend_flat_wide(raster::Pixel* to, int count, raster::Pixel colour) noexcep
 void blend_flat_masked_wide(raster::Pixel* to, const std::int32_t* mask, int count, raster::Pixel colour) noexcept;
 void blend_row_wide(raster::Pixel* to, const raster::Pixel* from, int count, int cover) noexcept;
 void blend_row_masked_wide(raster::Pixel* to, const raster::Pixel* from, const std::int32_t* mask, int count) noexcept;
+void add_row_wide(raster::Pixel* to, const raster::Pixel* from, const std::int32_t* mask, int count) noexcept;
+void multiply_row_wide(raster::Pixel* to, const raster::Pixel* from, const std::int32_t* mask, int count) noexcept;
+void screen_row_wide(raster::Pixel* to, const raster::Pixel* from, const std::int32_t* mask, int count) noexcept;
 std::int32_t integrate_wide(std::int32_t* cells, int count, std::int32_t sum, std::int32_t* mask) noexcept;
 void ramp_wide(raster::Pixel* to, int count, const raster::Ramp& colours) noexcept;
 void sample_wide(raster::Pixel* to, int count, const raster::Walk& walk) noexcept;

@@ -28,6 +28,7 @@ from evilengine.values.errors import (
     StaleReferenceError,
 )
 from evilengine.values.image import Image
+from evilengine.values.sheet import Animation, Sheet
 from evilengine.values.vec2 import Vec2
 from evilengine.values.version import VERSION
 from evilengine.world import joints, soft
@@ -49,6 +50,7 @@ __version__ = VERSION
 
 __all__ = [
     "ALL",
+    "Animation",
     "ArgumentError",
     "ArgumentTypeError",
     "AssetError",
@@ -79,6 +81,7 @@ __all__ = [
     "ShaderError",
     "Shape",
     "ShapeError",
+    "Sheet",
     "SnapshotError",
     "Spring",
     "StaleReferenceError",

@@ -1697,7 +1697,7 @@ class DrawList:
     def circle(self, radius: object, *, at: object = (0.0, 0.0), colour: object = 4294967295) -> int:
         """Add a circle and return its mesh's index."""
 
-    def instance(self, mesh: object, to_pixel: object | None = None, *, tint: object = 4294967295, texture: object = 0, outline: float = 0.0, to_texture: object | None = None) -> None:
+    def instance(self, mesh: object, to_pixel: object | None = None, *, tint: object = 4294967295, texture: object = 0, outline: float = 0.0, to_texture: object | None = None, blend: int = 0) -> None:
         """
         Draw a mesh once more, on top: matrices as a b c d tx ty, tint as 0xAABBGGRR, outline in pixels.
         """
@@ -1756,7 +1756,7 @@ class Batcher:
 
     def collect(self, list: DrawList, width: int, height: int) -> list[tuple[int, int, tuple[int, ...] | None, int]]:
         """
-        A frame as draw calls: the first quad, how many, their pictures by unit, and whether any has facets; or the first speck, how many, None, and 1 for discs plus 2 for what adds light.
+        A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus twice the number of their draw::Blend; or the first speck, how many, None, and 1 for discs plus 2 for what adds light.
         """
 
     @property
@@ -1795,6 +1795,9 @@ class SavedScene:
     def textures(self) -> int: ...
 
     @property
+    def clips(self) -> int: ...
+
+    @property
     def places(self) -> list[tuple[int, int, int]]:
         """
         (slot, body's slot, shape's slot) of each drawing, in the order of creation.
@@ -1807,9 +1810,9 @@ class Scene:
 
     def __len__(self) -> int: ...
 
-    def snapshot(self, world: World) -> tuple[bytes, list[int]]: ...
+    def snapshot(self, world: World) -> tuple[bytes, list[int], list[int]]: ...
 
-    def restore(self, saved: SavedScene, world: World, textures: Sequence[int]) -> None: ...
+    def restore(self, saved: SavedScene, world: World, textures: Sequence[int], clips: Sequence[int]) -> None: ...
 
     def generation(self, slot: int) -> int: ...
 
@@ -1827,6 +1830,38 @@ class Scene:
     def remove(self, slot: int, generation: int) -> None: ...
 
     def alive(self, slot: int, generation: int) -> bool: ...
+
+    def add_sliced(self, width: float, height: float, border: Sequence[float], part: Sequence[float], body: tuple[int, int] | None = None) -> tuple[int, int]:
+        """
+        A rectangle whose picture keeps its four borders: left, low, right, high, in metres and as parts of it.
+        """
+
+    def extent(self, slot: int, generation: int) -> tuple[float, float]:
+        """Width and height of its shape, before its matrix."""
+
+    def add_clip(self, textures: Sequence[int], steps: float, course: int) -> int:
+        """
+        Frames to be shown for so many steps each; course 0 again and again, 1 once, 2 there and back.
+        """
+
+    def clear_clips(self) -> None:
+        """Forget the clips; there must be no drawing that shows one."""
+
+    def playing(self, world: World, slot: int, generation: int) -> tuple[int, int, int, bool] | None: ...
+
+    def play(self, slot: int, generation: int, clip: int | None, began: int) -> None: ...
+
+    def flip_x(self, slot: int, generation: int) -> bool: ...
+
+    def set_flip_x(self, slot: int, generation: int, value: bool) -> None: ...
+
+    def flip_y(self, slot: int, generation: int) -> bool: ...
+
+    def set_flip_y(self, slot: int, generation: int, value: bool) -> None: ...
+
+    def blend(self, slot: int, generation: int) -> int: ...
+
+    def set_blend(self, slot: int, generation: int, value: int) -> None: ...
 
     def tint(self, slot: int, generation: int) -> int: ...
 

@@ -1,4 +1,4 @@
-"""Pictures: images and fonts by name or size, each given to the renderer once, and again when its file changes."""
+"""Pictures: images, frames and fonts, each given to the renderer once, and again when its file changes."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from evilengine.assets.images import Found, Images
 from evilengine.values.errors import AssetError
 from evilengine.values.font import Font
 from evilengine.values.image import Image
+from evilengine.values.sheet import Cell, Grid
 
 
 class Textures(Protocol):
@@ -25,13 +26,18 @@ class Textures(Protocol):
 
 @dataclass(slots=True)
 class _Shown:
-    """An image that the renderer has."""
+    """An image that the renderer has, whole or as the frames of a sheet."""
 
-    name: str
+    what: str | Grid
     found: Found
     stamp: tuple[int, int] | None
-    texture: int
+    textures: tuple[int, ...]
     points: tuple[float, float]
+    """The size of the image, or of one frame."""
+
+    @property
+    def name(self) -> str:
+        return self.what if isinstance(self.what, str) else self.what.image
 
 
 class Pictures:
@@ -46,8 +52,8 @@ class Pictures:
         self._textures = textures
         self._scale = scale
         self._all_fonts = Fonts()
-        self._shown: dict[Path, _Shown] = {}
-        self._by_name: dict[str, _Shown] = {}
+        self._shown: dict[tuple[Path, Grid | None], _Shown] = {}
+        self._by_name: dict[str | Grid, _Shown] = {}
         self._fonts: dict[int, tuple[int, Font]] = {}
         self._unsaid: list[str] = []  # what another screen's pictures brought up, for the next reload to say
 
@@ -62,13 +68,15 @@ class Pictures:
             self._scale = value
             self._unsaid = self.reload()
 
-    def texture(self, name: str) -> int:
-        """The texture id of the image called `name`, uploaded once. Raises AssetError if it cannot be had."""
-        return self._show(name).texture
+    def texture(self, what: str | Cell) -> int:
+        """The texture id of an image or a frame, uploaded once. Raises AssetError if it cannot be had."""
+        if isinstance(what, Cell):
+            return self._show(what.grid).textures[what.number]
+        return self._show(what).textures[0]
 
-    def size(self, name: str) -> tuple[float, float]:
-        """Width and height of the image called `name`, in logical points. Raises AssetError if it cannot be had."""
-        return self._show(name).points
+    def size(self, what: str | Grid) -> tuple[float, float]:
+        """Width and height of an image, or of each frame of a sheet, in logical points. Raises AssetError likewise."""
+        return self._show(what).points
 
     def font(self, pixels: int) -> tuple[int, Font]:
         """The texture id and the font of a height in pixels."""
@@ -86,16 +94,18 @@ class Pictures:
         lines, self._unsaid = self._unsaid, []
         return lines + [line for shown in self._shown.values() if (line := self._reload(shown))]
 
-    def _show(self, name: str) -> _Shown:
-        if name not in self._by_name:
-            found = self.images.find_for(name, self._scale)
-            if found.plain not in self._shown:
+    def _show(self, what: str | Grid) -> _Shown:
+        if what not in self._by_name:
+            grid = what if isinstance(what, Grid) else None
+            found = self.images.find_for(what if isinstance(what, str) else what.image, self._scale)
+            key = found.plain, grid and grid._replace(image="")
+            if key not in self._shown:
                 stamp = stamp_of(found.path)
-                image = self._decode(found.path)
-                texture = self._textures.upload(image)
-                self._shown[found.plain] = _Shown(name, found, stamp, texture, _points(image, found))
-            self._by_name[name] = self._shown[found.plain]
-        return self._by_name[name]
+                pictures = self._pictures_in(found, what)
+                textures = tuple(self._textures.upload(picture) for picture in pictures)
+                self._shown[key] = _Shown(what, found, stamp, textures, _points(pictures[0], found))
+            self._by_name[what] = self._shown[key]
+        return self._by_name[what]
 
     def _reload(self, shown: _Shown) -> str:
         try:
@@ -107,12 +117,17 @@ class Pictures:
             return ""
         shown.found, shown.stamp = found, stamp
         try:
-            image = self._decode(found.path)
+            pictures = self._pictures_in(found, shown.what)
         except AssetError as error:
             return f"{error}; it is shown as it was"
-        self._textures.update(shown.texture, image)
-        shown.points = _points(image, found)
+        for texture, picture in zip(shown.textures, pictures, strict=True):
+            self._textures.update(texture, picture)
+        shown.points = _points(pictures[0], found)
         return ""
+
+    def _pictures_in(self, found: Found, what: str | Grid) -> list[Image]:
+        image = self._decode(found.path)
+        return [image] if isinstance(what, str) else cut(image, what, found.density)
 
     def _decode(self, path: Path) -> Image:
         """The picture at `path`; only the renderer keeps it."""
@@ -129,6 +144,32 @@ def stamp_of(path: Path) -> tuple[int, int] | None:
     except OSError:
         return None
     return status.st_mtime_ns, status.st_size
+
+
+def cut(image: Image, grid: Grid, density: int = 1) -> list[Image]:
+    """The cells of a picture that has `density` pixels a logical point. Raises AssetError if the grid does not fit it.
+
+    >>> picture = Image.of(4, 1, bytes(range(16)))
+    >>> [cell.tobytes()[0] for cell in cut(picture, Grid("", 2, 1, 0, 0))]
+    [0, 8]
+    """
+    margin, spacing = round(grid.margin * density), round(grid.spacing * density)
+    width = image.width - 2 * margin - (grid.columns - 1) * spacing
+    height = image.height - 2 * margin - (grid.rows - 1) * spacing
+    if width < grid.columns or height < grid.rows or width % grid.columns or height % grid.rows:
+        raise AssetError(
+            f"image {grid.image!r}: {image.width} x {image.height} pixels do not divide into"
+            f" {grid.columns} x {grid.rows} frames of one size, margin={grid.margin:g}, spacing={grid.spacing:g}"
+        )
+    width, height = width // grid.columns, height // grid.rows
+    flat, row = image.tobytes(), image.width * 4
+    cells = []
+    for down in range(grid.rows):
+        for across in range(grid.columns):
+            first = (margin + down * (height + spacing)) * row + (margin + across * (width + spacing)) * 4
+            lines = [flat[start : start + 4 * width] for start in range(first, first + height * row, row)]
+            cells.append(Image.of(width, height, b"".join(lines)))
+    return cells
 
 
 def _points(image: Image, found: Found) -> tuple[float, float]:

@@ -12,9 +12,12 @@ from evilengine.scene import LOOKS, Camera, DebugView, Drawing, DrawnBody, Emitt
 from evilengine.scene.camera import POINTS_A_METRE
 from evilengine.scene.drawing import DEEPEST_LAYER
 from evilengine.scene.particles import add_particles
+from evilengine.scene.sliced import sliced
 from evilengine.values.checks import did_you_mean, known_keywords, number
 from evilengine.values.colour import ColourLike
-from evilengine.values.errors import ArgumentTypeError, AssetError
+from evilengine.values.errors import ArgumentError, ArgumentTypeError, AssetError
+from evilengine.values.sheet import Sheet
+from evilengine.values.vec2 import Point, to_vec2
 from evilengine.world.character import Character
 from evilengine.world.shapes import Rectangle
 from evilengine.world.world import World
@@ -81,14 +84,35 @@ class Things:
         """Draw a shape that takes no part in the physics."""
         return self.scene.add(shape, **options)
 
-    def sprite(self, image: str, *, height: float | None = None, **options: Any) -> Drawing:
-        """Draw the image called `image`, `height` metres high or as large as it is: 50 logical points a metre.
+    def sprite(
+        self,
+        image: str | Sheet,
+        *,
+        height: float | None = None,
+        size: Point | None = None,
+        slice: float | tuple[float, float, float, float] | None = None,
+        **options: Any,
+    ) -> Drawing:
+        """Draw an image by its name, or a Sheet's frame, `height` metres high or as large as it is: 50 points a metre.
 
+        `size` gives width and height instead, whatever the picture's shape; then `slice` keeps its borders as wide as
+        they are (so many points of it, or left, top, right, bottom), and only what lies between them is stretched.
         Takes what `draw` takes; with `body=` it is drawn on that body, moves with it and stays out of the physics.
         """
-        width, points = self._pictures.size(image)
-        high = points / POINTS_A_METRE if height is None else number(height, "Game.sprite", "height", above=0.0)
-        return self.scene.add(Rectangle(high * width / points, high), texture=image, **options)
+        owner = "Game.sprite"
+        across, down = points = self._pictures.size(image.grid if isinstance(image, Sheet) else image)
+        if size is None:
+            if slice is not None:
+                raise ArgumentError(f"{owner}: slice={slice!r} needs a size=(width, height) to fill")
+            high = down / POINTS_A_METRE if height is None else number(height, owner, "height", above=0.0)
+            return self.scene.add(Rectangle(high * across / down, high), texture=image, **options)
+        if height is not None:
+            raise ArgumentError(f"{owner}: height={height!r} and size={size!r} contradict each other; give one")
+        wide, high = to_vec2(size, owner, "size")
+        if slice is None:
+            return self.scene.add(Rectangle(wide, high), texture=image, **options)
+        shape = sliced(wide, high, slice, points, POINTS_A_METRE, owner)
+        return self.scene.add(shape, texture=image, **options)
 
     def add_particles(self, *, body: Any = None, **settings: Any) -> Emitter:
         """Add a particle effect: sparks, smoke, rain. Takes what an Emitter can be told, and the `body` it follows.

@@ -6,10 +6,12 @@ import math
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from evilengine.scene.animated import Animated
 from evilengine.scene.camera import Matrix6
 from evilengine.values.checks import known_keywords, number
 from evilengine.values.colour import BACKGROUND, Colour, ColourLike, to_colour
 from evilengine.values.errors import ArgumentError, ArgumentTypeError, StaleReferenceError
+from evilengine.values.sheet import Sheet
 from evilengine.values.vec2 import Point, to_vec2
 from evilengine.world.body import Shape
 
@@ -24,7 +26,7 @@ OUTLINE = 1.5  # logical points
 OUTLINE_SHADE = 0.4  # how much of the night is in an outline's colour
 
 
-class Drawing:
+class Drawing(Animated):
     """One thing that is drawn: a shape with a colour, perhaps a texture, on a body or standing by itself.
 
     `scene.add`, `game.draw` and `body.draw` make them. Once it is destroyed, or the body it is on, every use raises
@@ -80,14 +82,17 @@ class Drawing:
         core.set_edge_width(slot, generation, OUTLINE if value else 0.0)
 
     @property
-    def texture(self) -> str | None:
-        """The name of its image, or None."""
-        return self._scene._texture_names.get(self._scene._core.texture(*self._at()))
+    def texture(self) -> str | Sheet | None:
+        """The name of its image, the Sheet that it shows frames of, or None."""
+        slot, generation = self._at()
+        clip = self._scene._clip_shown(slot, generation)
+        if clip is not None:
+            return clip.sheet
+        return self._scene._texture_names.get(self._scene._core.texture(slot, generation))
 
     @texture.setter
-    def texture(self, name: str | None) -> None:
-        slot, generation = self._at()
-        self._scene._core.set_texture(slot, generation, self._scene.texture_id(name, "Drawing"))
+    def texture(self, value: str | Sheet | None) -> None:
+        self._scene._show(self._at(), *self._scene._to_look(value, None, "Drawing"))
 
     @property
     def texture_matrix(self) -> Mat4:

@@ -15,7 +15,10 @@ if TYPE_CHECKING:
     from evilengine.world.world import World
 
 LOOKS = frozenset(
-    ("colour", "colours", "texture", "texture_points", "texture_matrix", "outline", "layer", "visible", "lit")
+    (
+        *("animation", "blend", "colour", "colours", "flip_x", "flip_y", "layer", "lit", "outline"),
+        *("texture", "texture_matrix", "texture_points", "tile", "visible"),
+    )
 )
 """The words of `scene.add` that say how a thing looks; its others say where it is."""
 

@@ -6,11 +6,13 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from evilengine import _core
+from evilengine.scene.animated import Clip
 from evilengine.scene.camera import Camera
 from evilengine.scene.drawing import Drawing
 from evilengine.scene.particles import EmittersState
 from evilengine.scene.text import Text
 from evilengine.values.colour import Colour
+from evilengine.values.sheet import Animation, Sheet
 
 if TYPE_CHECKING:
     from evilengine.scene.scene import Scene
@@ -18,7 +20,7 @@ if TYPE_CHECKING:
 
 def state_of(scene: Scene) -> tuple[bytes, dict[str, Any]]:
     """Every drawing as bytes, and the rest: names of images, background, texts."""
-    drawings, textures = scene._core.snapshot(scene.world._core)
+    drawings, textures, clips = scene._core.snapshot(scene.world._core)
     texts = [
         [text._serial, text.text, list(text.at), text.size, list(text.colour), text.anchor, bool(text.visible)]
         for text in scene._texts
@@ -26,6 +28,7 @@ def state_of(scene: Scene) -> tuple[bytes, dict[str, Any]]:
     ]
     rest = {
         "textures": [scene._texture_names[texture] for texture in textures],
+        "clips": [[clip.sheet.plain(), *clip[1:]] for clip in (scene._clips[number] for number in clips)],
         "background": list(scene.background),
         "from_palette": scene._from_palette,
         "texts": texts,
@@ -49,6 +52,9 @@ class SceneState:
         self._textures = [scene.texture_id(str(name), "Scene.restore") for name in rest["textures"]]
         if len(self._textures) != self._drawings.textures:
             raise ValueError("an image for each texture")
+        self._clips = [scene._clip_number(_clip(row)) for row in rest["clips"]]
+        if len(self._clips) != self._drawings.clips:
+            raise ValueError("a clip for each number")
         self._background = Colour(*rest["background"])
         self._from_palette = int(rest["from_palette"])
         self._texts_made = int(rest["texts_made"])
@@ -70,7 +76,7 @@ class SceneState:
         Handles of drawings and texts that are the same before and after stay good.
         """
         scene = self._scene
-        scene._core.restore(self._drawings, scene.world._core, self._textures)
+        scene._core.restore(self._drawings, scene.world._core, self._textures, self._clips)
         scene.background = self._background
         scene._from_palette = self._from_palette
         self._put_drawings()
@@ -145,6 +151,15 @@ def read_camera(camera: Camera, state: dict[str, Any]) -> Callable[[], None]:
         camera.position, camera.zoom, camera.angle = read.position, read.zoom, read.angle
 
     return put
+
+
+def _clip(row: list[Any]) -> Clip:
+    plain, name, frames, fps, course = row
+    sheet = Sheet.of_plain(plain)
+    Animation(frames, fps=fps, course=course)  # raises for what it cannot be
+    if max(frames) >= len(sheet):
+        raise ValueError("a frame that the sheet does not have")
+    return Clip(sheet, None if name is None else str(name), tuple(frames), float(fps), course)
 
 
 def _text(row: list[Any]) -> Text:

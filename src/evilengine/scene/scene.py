@@ -7,24 +7,28 @@ from typing import Any, TypeAlias
 
 from evilengine import _core
 from evilengine.scene import graph
+from evilengine.scene.animated import BLENDS, Clip, clip_of, still
 from evilengine.scene.camera import Camera
 from evilengine.scene.debug import DebugView
 from evilengine.scene.drawing import Drawing, placement, to_layer, to_matrix6
 from evilengine.scene.drawn_body import DrawnBody, show
 from evilengine.scene.particles import Emitter
+from evilengine.scene.sliced import Sliced, tile_size
 from evilengine.scene.text import Fonts, Text
-from evilengine.values.checks import known_keywords, number
+from evilengine.values.checks import known_keywords, number, one_of
 from evilengine.values.colour import BACKGROUND, PALETTE, STONE, WHITE, Colour, ColourLike, to_colour
 from evilengine.values.drawlist import DrawList
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
 from evilengine.values.frame import FrameTimes
+from evilengine.values.sheet import COURSES, Cell, Sheet
+from evilengine.values.tick import STEP
 from evilengine.values.vec2 import Point
 from evilengine.world.body import Body, Shape
 from evilengine.world.shapes import PolygonLike, ShapeDefinition, to_shape
 from evilengine.world.world import World
 
-Textures: TypeAlias = Callable[[str], int]
-"""Gives the texture id for an image's name, or raises AssetError; it keeps what it loaded."""
+Textures: TypeAlias = Callable[[str | Cell], int]
+"""Gives the texture id for an image's name or a frame of a sheet, or raises AssetError; it keeps what it loaded."""
 
 Panel: TypeAlias = Callable[[_core.Scene, Fonts | None, tuple[int, int], float], object]
 """Draws on the screen: given the core's scene, the fonts, the picture's size in pixels, and how many make a point."""
@@ -71,6 +75,7 @@ class Scene:
         self._texture_names: dict[int, str] = {}
         self._emitters: list[Emitter] = []
         self._emitters_made = 0
+        self._clips: list[Clip] = []  # as the core counts them
         self._texts: list[Text] = []
         self._texts_made = 0
         self._overlay: list[Text] = []
@@ -106,9 +111,14 @@ class Scene:
         matrix: Iterable[float] | None = None,
         colour: ColourLike | None = None,
         colours: Sequence[ColourLike] | None = None,
-        texture: str | None = None,
+        texture: str | Sheet | None = None,
+        animation: str | None = None,
         texture_points: Sequence[Point] | None = None,
         texture_matrix: Iterable[float] | None = None,
+        tile: float | Point | None = None,
+        flip_x: bool = False,
+        flip_y: bool = False,
+        blend: str = "normal",
         outline: bool | None = None,
         layer: int = 0,
         visible: bool = True,
@@ -118,9 +128,11 @@ class Scene:
 
         `at` and `angle`, or a 4x4 `matrix`, place it there. `colour` tints all of it, and `colours` each of
         `shape.corners`. The image `texture` spreads over the shape's bounding box unless `texture_points` says which
-        point of it (0..1 from its top left) lies on each corner; `texture_matrix` moves those points. `outline` is a
-        thin darker line round it. What is given neither colour nor texture takes a colour of the palette and, if it can
-        move, an outline. Higher layers lie over lower ones; within one, what was made later is on top.
+        point of it (0..1 from its top left) lies on each corner; `texture_matrix` moves those points, and `tile` lays
+        it again and again, each so many metres wide and high. Of a Sheet, `animation` is shown, else its first frame;
+        `flip_x` and `flip_y` mirror it. `blend` is "normal", "add" (shines), "multiply" (shades) or "screen". `outline`
+        is a thin darker line round it. What is given neither colour nor texture takes a colour of the palette and, if
+        it can move, an outline. Higher layers lie over lower ones; within one, what was made later is on top.
 
         Raises ArgumentError, ArgumentTypeError or AssetError, and draws nothing then.
         """
@@ -130,18 +142,30 @@ class Scene:
         plain = colour is None and colours is None and texture is None
         tint = self._palette_colour(body) if plain else WHITE if colour is None else to_colour(colour, owner, "colour")
         corner_colours = None if colours is None else [to_colour(one, owner, "colours").rgba8 for one in colours]
-        image = self.texture_id(texture, owner)
+        look = self._to_look(texture, animation, owner)
         image_place = None if texture_matrix is None else to_matrix6(texture_matrix, owner, "texture_matrix")
+        tiles = None if tile is None else tile_size(tile, owner)
+        if tiles is not None and (texture is None or texture_points is not None or texture_matrix is not None):
+            raise ArgumentError(
+                f"{owner}: tile={tile!r} needs a texture, and neither texture_points nor texture_matrix"
+            )
+        mixed = BLENDS.index(one_of(blend, owner, "blend", BLENDS))
         layer = to_layer(layer, owner)
 
         core = self._core
         handle = self._add_mesh(shape, body, texture_points, corner_colours)
         core.set_matrix(*handle, place)
         core.set_tint(*handle, tint.rgba8)
-        core.set_texture(*handle, image)
+        self._show(handle, *look)
+        core.set_flip_x(*handle, bool(flip_x))
+        core.set_flip_y(*handle, bool(flip_y))
+        core.set_blend(*handle, mixed)
         core.set_layer(*handle, layer)
         core.set_visible(*handle, bool(visible))
         core.set_lit(*handle, bool(lit))
+        if tiles is not None:
+            width, height = core.extent(*handle)
+            image_place = (width / tiles[0], 0.0, 0.0, height / tiles[1], 0.0, 0.0)
         if image_place is not None:
             core.set_texture_matrix(*handle, image_place)
         drawing = Drawing(self, handle, body, shape)
@@ -199,7 +223,9 @@ class Scene:
     def clear(self) -> None:
         """Take away every drawing, text and emitter, and the background; what `overlay` put on the screen stays."""
         nothing = _core.SavedScene(_core.Scene().snapshot(self.world._core)[0])
-        self._core.restore(nothing, self.world._core, [])
+        self._core.restore(nothing, self.world._core, [], [])
+        self._core.clear_clips()
+        self._clips.clear()
         for text in self._texts:
             if text.alive:
                 text.destroy()
@@ -249,7 +275,7 @@ class Scene:
                 text.draw(self._core, self._fonts, screen, scale)
         return DrawList(screen, self._background.rgba8, content)
 
-    def texture_id(self, name: str | None, owner: str) -> int:
+    def texture_id(self, name: object, owner: str) -> int:
         """The texture id of the image called `name`; 0 for None. Raises AssetError for an image that cannot be had."""
         if name is None:
             return 0
@@ -262,6 +288,35 @@ class Scene:
         texture = self._textures(name)
         self._texture_names[texture] = name
         return texture
+
+    def _clip_number(self, clip: Clip) -> int:
+        """The number by which the core knows a clip, which is handed to it when it is new."""
+        if clip not in self._clips:
+            if self._textures is None:
+                raise ArgumentError(f"{clip.sheet!r}: this scene was given no images; Scene(textures=...) takes them")
+            frames = {frame: self._textures(Cell(clip.sheet.grid, frame)) for frame in sorted(set(clip.frames))}
+            textures = [frames[frame] for frame in clip.frames]
+            self._core.add_clip(textures, 1.0 / (clip.fps * STEP), COURSES.index(clip.course))
+            self._clips.append(clip)
+        return self._clips.index(clip)
+
+    def _clip_shown(self, slot: int, generation: int) -> Clip | None:
+        """The clip that a drawing shows, None for one without a sheet."""
+        now = self._core.playing(self.world._core, slot, generation)
+        return None if now is None else self._clips[now[0]]
+
+    def _to_look(self, texture: object, animation: str | None, owner: str) -> tuple[int, int | None]:
+        """What a drawing shows, checked: the texture id, or the number of a clip."""
+        if isinstance(texture, Sheet):
+            clip = still(texture, 0) if animation is None else clip_of(texture, animation, owner)
+            return 0, self._clip_number(clip)
+        if animation is not None:
+            raise ArgumentError(f"{owner}: animation={animation!r} needs texture=evil.Sheet(...), not {texture!r}")
+        return self.texture_id(texture, owner), None
+
+    def _show(self, handle: tuple[int, int], texture: int, clip: int | None) -> None:
+        self._core.set_texture(*handle, texture)
+        self._core.play(*handle, clip, self.world.steps)
 
     def _take_restored(self, body: DrawnBody) -> list[Drawing]:
         """The drawings that the last restore put on `body`."""
@@ -306,6 +361,8 @@ class Scene:
         if isinstance(shape, Shape):
             return self._core.add_shape(self.world._core, shape.slot, SPECK, texture_points, colours)
         follows = None if body is None else (body.slot, body.generation)
+        if isinstance(shape, Sliced):
+            return self._core.add_sliced(shape.width, shape.height, shape.border, shape.part, follows)
         return self._core.add_definition(shape._spec, SPECK, follows, texture_points, colours)
 
     def _palette_colour(self, body: Body | None) -> Colour:

@@ -13,6 +13,9 @@ Data = bytes | bytearray | memoryview
 TextureKind = Literal["picture", "data"]
 """A picture: four bytes a texel, repeated and filtered, with smaller copies. Data: four floats, fetched one by one."""
 
+Blend = Literal["over", "multiply", "screen"]
+"""How colours s, multiplied with alpha, meet d behind them: s + d (1 - alpha), s d + d (1 - alpha), s + d (1 - s)."""
+
 
 class ContextLost(Exception):  # noqa: N818  (what WebGL calls it)
     """The driver has lost everything, or cannot go on. The pipeline's owner draws by other means from here on."""
@@ -139,9 +142,10 @@ class GraphicsDevice(Protocol):
         instances: tuple[Buffer, Layout, int, int],
         textures: Sequence[tuple[str, Texture]],
         uniforms: Mapping[str, tuple[float, ...]],
+        blend: Blend = "over",
     ) -> None:
         """Draw six corners for each instance: buffer, layout, the first one and how many. Colours are multiplied with
-        alpha and go over what is there."""
+        alpha."""
 
     def show(self, program: Program, textures: Sequence[tuple[str, Texture]], size: tuple[int, int]) -> None:
         """Fill the window, `size` pixels, with one triangle over all of it."""

@@ -13,7 +13,17 @@ from typing import Any, cast
 
 import moderngl
 
-from evilengine.renderer.gl.device import Buffer, ContextLost, Layout, Program, Source, Target, Texture, TextureKind
+from evilengine.renderer.gl.device import (
+    Blend,
+    Buffer,
+    ContextLost,
+    Layout,
+    Program,
+    Source,
+    Target,
+    Texture,
+    TextureKind,
+)
 from evilengine.renderer.gl.shaders import complaint, prepare
 from evilengine.values.errors import DeviceError
 from evilengine.values.surface import Surface
@@ -209,7 +219,8 @@ class ModernGlDevice:
         self.rest = context.simple_framebuffer((1, 1))  # moderngl goes back to what was in use, so that must exist
         self.rest.use()
         context.enable_only(moderngl.BLEND)
-        context.blend_func = moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
+        context.blend_func = _BLENDS["over"]
+        self._blend: Blend = "over"
         if owned:  # a window's context goes with the window, this one with its device
             self.context.__exit__(None, None, None)
             weakref.finalize(self, self.context.release).atexit = False
@@ -291,6 +302,7 @@ class ModernGlDevice:
         instances: tuple[Buffer, Layout, int, int],
         textures: Sequence[tuple[str, Texture]],
         uniforms: Mapping[str, tuple[float, ...]],
+        blend: Blend = "over",
     ) -> None:
         assert isinstance(target, _Target)
         assert isinstance(program, _Program)
@@ -303,6 +315,9 @@ class ModernGlDevice:
         for location, attribute in enumerate(layout.attributes):
             kind, form = _FORMATS[attribute.kind]
             bind(location, kind, native, f"{attribute.count}{form}", first * stride + attribute.offset, stride, 1)
+        if blend != self._blend:
+            self.context.blend_func = _BLENDS[blend]
+            self._blend = blend
         program.vertices.render(moderngl.TRIANGLES, 6, 0, count)
 
     def show(self, program: Program, textures: Sequence[tuple[str, Texture]], size: tuple[int, int]) -> None:
@@ -317,5 +332,10 @@ class ModernGlDevice:
 
 
 _FORMATS: dict[str, tuple[str, str]] = {"float": ("f", "f"), "uint": ("i", "u")}
+_BLENDS: dict[Blend, tuple[int, int]] = {
+    "over": (moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA),
+    "multiply": (moderngl.DST_COLOR, moderngl.ONE_MINUS_SRC_ALPHA),
+    "screen": (moderngl.ONE, moderngl.ONE_MINUS_SRC_COLOR),
+}
 _of_thread = threading.local()
 _of_surface: weakref.WeakKeyDictionary[Surface, ModernGlDevice] = weakref.WeakKeyDictionary()

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from evilengine import _core
 from evilengine.renderer.gl import shaders
-from evilengine.renderer.gl.device import Attribute, GraphicsDevice, Layout, Program, Target, Texture
+from evilengine.renderer.gl.device import Attribute, Blend, GraphicsDevice, Layout, Program, Target, Texture
 from evilengine.values.drawlist import DrawList
 from evilengine.values.image import Image
 
@@ -18,6 +18,9 @@ ROW = 1024
 MIXES = (0, 1, 2, 4, 8)
 """How many pictures a draw call may mix, at most kUnits in core/gpu/quads.hpp; a program for each, as some drivers look
 each picture up for each pixel."""
+
+BLENDS: tuple[Blend, ...] = ("over", "over", "multiply", "screen")
+"""By the numbers of draw::Blend; what adds is drawn over, with no alpha."""
 
 INSTANCE = Layout(
     100,
@@ -126,13 +129,14 @@ class Pipeline:
                 continue
             self.device.draw(
                 target,
-                self._program(next(mix for mix in MIXES if mix >= len(pictures)), bool(look)),
+                self._program(next(mix for mix in MIXES if mix >= len(pictures)), bool(look & 1)),
                 instances=(self._quads, INSTANCE, first, count),
                 textures=[
                     ("shapes", self._shapes.texture),
                     *((f"picture{unit}", self._pictures[texture]) for unit, texture in enumerate(pictures)),
                 ],
                 uniforms={"target_size": (float(frame.size[0]), float(frame.size[1]))},
+                blend=BLENDS[look >> 1],
             )
         self.draw_calls = len(batches)
         self.device.check()

@@ -32,7 +32,7 @@ out vec4 result;
 
 const uint ROW = 1024u;
 const uint ALL = 0u, EDGES = 1u, DISC = 3u;
-const uint REPEAT = 1u << 4, HOLLOW = 4u << 4, COLOURED = 8u << 4, TEXTURED = 16u << 4;
+const uint REPEAT = 1u << 4, HOLLOW = 4u << 4, COLOURED = 8u << 4, TEXTURED = 16u << 4, ADDS = 32u << 4, FINE = 64u << 4;
 const uint FACET_TEXELS = 10u;
 
 vec4 texel(uint i) { return texelFetch(shapes, ivec2(i % ROW, i / ROW), 0); }
@@ -131,7 +131,8 @@ vec4 facet_colour(uint facet) {
 vec4 sample_picture(sampler2D picture, vec2 uv, vec4 steps) {
     vec2 size = vec2(textureSize(picture, 0));
     vec2 across = steps.xy * size, down = steps.zw * size;
-    float texels = max(dot(across, across), dot(down, down)); // squared, in one pixel
+    vec2 squared = vec2(dot(across, across), dot(down, down)); // texels in one pixel
+    float texels = (parts.w & FINE) != 0u ? min(squared.x, squared.y) : max(squared.x, squared.y);
     float level = texels > 2.25 ? ceil(0.5 * log2(texels / 2.25)) : 0.0;
     level = min(level, floor(log2(max(size.x, size.y)) + 0.0001));
     if ((parts.w & REPEAT) == 0u) {
@@ -183,4 +184,5 @@ void main() {
 #if PICTURES >= 1
     if ((parts.w & TEXTURED) != 0u) result *= picture_colour(facet, facets);
 #endif
+    if ((parts.w & ADDS) != 0u) result.a = 0.0; // then nothing is taken from what is behind
 }
