@@ -155,6 +155,20 @@ def run(game, steps):
         game.step()
 
 
+def test_a_game_that_shall_destroy_what_is_gone_already_can_be_saved():
+    game = Game("Saved", headless=True)
+    ball, box = game.add(evil.Circle(1)), game.add(evil.Rectangle(1, 1))
+    game.timer.after(0.5, ball.destroy)
+    game.timer.after(0.5, box.destroy)
+    ball.destroy()
+    other = resumed(saving.to_bytes(game), Game("Saved", headless=True))
+    assert saving.to_bytes(other) == saving.to_bytes(game)
+    game.step(60)
+    other.step(60)
+    assert state(game) == state(other)
+    assert len(other.world.bodies) == 0
+
+
 def test_a_python_game_goes_on_with_its_timers_callbacks_motions_and_forces():
     game = furnish(python_game())
     run(game, 40)

@@ -8,6 +8,7 @@ import weakref
 
 import pytest
 
+import evilengine as evil
 from evilengine.timer import Clock, Schedule
 from evilengine.timer.clock import MOST_STEPS
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
@@ -221,6 +222,17 @@ def test_a_callback_that_raises_counts_as_called_and_the_rest_stay_due():
     assert broken.time == pytest.approx(0.2)
     schedule.run_due()
     assert seen == [1]
+
+
+def test_destroying_what_is_gone_by_then_is_passed_over():
+    world = evil.World()
+    schedule = Schedule(lambda: world.steps)
+    spark = world.add(evil.Circle(1))
+    schedule.after(0, spark.destroy)
+    schedule.after(0, spark.destroy)
+    schedule.run_due()
+    assert not spark.alive
+    assert len(schedule) == 0
 
 
 def test_a_schedule_keeps_nothing_of_events_that_are_over():

@@ -22,6 +22,7 @@ from evilengine.save import inputs as inputs_code
 from evilengine.save.container import Sections
 from evilengine.scene import saving as looks
 from evilengine.timer import saving as timers
+from evilengine.timer.schedule import is_over
 from evilengine.values import checks
 from evilengine.values.errors import Error, SaveError, SnapshotError
 from evilengine.values.tick import FASTEST, SLOWEST
@@ -81,6 +82,8 @@ def to_bytes(game: Game, origin: str = "") -> bytes:
             name = level.name_of(function)
             if name is not None:
                 return {"level": number, **name}
+        if is_over(function):
+            function = nothing
         return _method(function) or game._functions.name_of(function, f"Game.save: {where}")
 
     drawings, scene = looks.state_of(game.scene)
@@ -229,6 +232,10 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
         scenes.put_level(game)
 
     return put
+
+
+def nothing() -> None:
+    """What a saved game calls instead of destroying something that was gone when it was saved."""
 
 
 class _Later:

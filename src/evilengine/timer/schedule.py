@@ -114,7 +114,7 @@ class Schedule:
         """Call what is due by now. Events made meanwhile wait for the next step, however soon they are planned.
 
         A callback may make and cancel events. If one raises, it counts as called, the rest stay due, and the exception
-        goes through.
+        goes through. What shall be destroyed and is gone already is passed over.
         """
         now = self._steps()
         self._running = True
@@ -125,7 +125,8 @@ class Schedule:
                 if event._interval:
                     event._round += 1
                     self._push(event)
-                event._call()
+                if not is_over(event._call):
+                    event._call()
         finally:
             self._running = False
 
@@ -155,6 +156,12 @@ class Schedule:
             self._heap.remove((event._time, event._order, event))
             heapq.heapify(self._heap)
             event._time = None
+
+
+def is_over(call: Callback) -> bool:
+    """Is it the `destroy` of a thing that is gone already? Then nothing is left to do."""
+    thing = getattr(call, "__self__", None)
+    return getattr(call, "__name__", "") == "destroy" and getattr(thing, "alive", True) is False
 
 
 def _first_step(time: float) -> int:
