@@ -202,6 +202,7 @@ class Game(Life, GameScreen, Controls, Things):
                 self._turn_gravity(self._inputs.tilt.direction)
             self.world.step(STEP)
             self.scene.step()
+            self.camera.step()
         finally:
             self._busy = ""
         self._note_step()

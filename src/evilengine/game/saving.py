@@ -185,7 +185,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
     interaction = game._interaction.read(state["interaction"])
     heard = sounds.read(game.audio, state["audio"], bodies)
     grabs = game._grabs.read(state["grabs"], game.world, bodies)
-    camera = looks.read_camera(game.camera, state["camera"])
+    camera = looks.read_camera(game.camera, state["camera"], bodies)
     dice, inputs = _read_random(sections["random"]), inputs_code.decode(sections["inputs"])
     tilted = None
     if state["tilted"] is not None:
@@ -224,7 +224,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
         interaction()
         grabs()
         heard(game.world._body)
-        camera()
+        camera(game.world._body)
         game.random.setstate(dice)
         game._inputs, game._alpha = inputs, 1.0
         game.tilt, game.paused, game._tilted, game._strength = tilt, paused, tilted, strength

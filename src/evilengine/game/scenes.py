@@ -60,6 +60,8 @@ class Settings:
     camera: tuple[Vec2, float, float]
     fit: tuple[float, float] | None
     """What the camera must show, in metres."""
+    bounds: tuple[float, float, float, float] | None
+    """What of the world it may show."""
 
 
 class Scenes:
@@ -203,7 +205,7 @@ def settings_of(game: Game) -> Settings:
         camera, world = game.camera, game.world
         game.scenes._settings = Settings(
             world.gravity, world.sleep, game.tilt, game.scene.background,
-            (camera.position, camera.zoom, camera.angle), camera._fit,
+            (camera.position, camera.zoom, camera.angle), camera._fit, camera.bounds,
         )  # fmt: skip
     return game.scenes._settings
 
@@ -234,7 +236,8 @@ def clear(game: Game, to: Visit | None) -> None:
     game.timer.clear()
     own = settings_of(game)
     game.world.gravity, game.world.sleep, game.scene.background = own.gravity, own.sleep, own.background
-    (camera.position, camera.zoom, camera.angle), camera._fit = own.camera, own.fit
+    camera._rest()
+    (camera.position, camera.zoom, camera.angle), camera._fit, camera._bounds = own.camera, own.fit, own.bounds
     game.tilt, game._tilted, game.paused, game.speed, game._alpha = own.tilt, None, False, 1.0, 1.0
     if to is None or to.sounds == "stop":
         game.audio.stop(fade=FADE)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from evilengine.scene.camera_work import CameraWork
 from evilengine.values.checks import known_keywords, number
 from evilengine.values.errors import ArgumentError
 from evilengine.values.vec2 import Point, Vec2, to_vec2
@@ -19,7 +20,7 @@ Matrix6 = tuple[float, float, float, float, float, float]
 """An affine map a b c d tx ty, columns first: x' = a x + c y + tx, y' = b x + d y + ty."""
 
 
-class Camera:
+class Camera(CameraWork):
     """Looks at `position` (world, metres), enlarged by `zoom` and turned by `angle` (radians, counter-clockwise).
 
     Screen positions are logical points: x to the right and y down from the top left corner, as fingers and the pointer
@@ -44,6 +45,7 @@ class Camera:
         angle: float = 0.0,
         view_height: float | None = None,
     ) -> None:
+        self._rest()
         self._fit: tuple[float, float] | None = None  # metres that must be seen; None: POINTS_A_METRE
         self.size = size
         self.position = position
@@ -73,7 +75,7 @@ class Camera:
         point = to_vec2(value, "Camera", "position")
         if max(abs(point.x), abs(point.y)) > FARTHEST:
             raise ArgumentError(f"Camera: position={value!r} must be at most {FARTHEST:g} metres from the origin")
-        self._position = point
+        self._position, self._before = point, None  # a jump: nothing lies between
 
     @property
     def zoom(self) -> float:
@@ -83,6 +85,7 @@ class Camera:
     @zoom.setter
     def zoom(self, value: float) -> None:
         self._zoom = number(value, "Camera", "zoom", least=1.0 / LARGEST_ZOOM, most=LARGEST_ZOOM)
+        self._before = None
 
     @property
     def angle(self) -> float:
@@ -92,6 +95,7 @@ class Camera:
     @angle.setter
     def angle(self, value: float) -> None:
         self._angle = number(value, "Camera", "angle", least=-1e6, most=1e6)
+        self._before = None
 
     @property
     def view_height(self) -> float | None:
@@ -149,19 +153,23 @@ class Camera:
         slack = number(margin, "Camera.sees", "margin") * self.points_a_metre
         return -slack <= x <= self._size[0] + slack and -slack <= y <= self._size[1] + slack
 
-    def matrix(self, pixel_size: tuple[int, int] | None = None, scale: float | None = None) -> Matrix6:
+    def matrix(
+        self, pixel_size: tuple[int, int] | None = None, scale: float | None = None, alpha: float = 1.0
+    ) -> Matrix6:
         """World to real pixels of a picture of `pixel_size`, where a logical point is `scale` pixels long.
 
-        Without `pixel_size` the picture is as large as the screen; without `scale` what the screen shows fits into it.
+        It is the view at `alpha` (0..1) between the last two steps, shaken if the camera shakes. Without `pixel_size`
+        the picture is as large as the screen; without `scale` what the screen shows fits into it.
         """
         width, height = self._size if pixel_size is None else pixel_size
         if scale is None:
             scale = min(width / self._size[0], height / self._size[1])
-        per_metre = self.points_a_metre * scale
-        c, s = math.cos(self._angle) * per_metre, math.sin(self._angle) * per_metre
-        x, y = self._position
+        (x, y), zoom, angle = self._shown(alpha)
+        per_metre = self._points_before_zoom() * zoom * scale
+        c, s = math.cos(angle) * per_metre, math.sin(angle) * per_metre
+        right, down = (each * scale for each in self._rattle(alpha))
         # Across and up as in to_pixel, then the middle of the picture and y down.
-        return (c, s, s, -c, width / 2 - c * x - s * y, height / 2 - s * x + c * y)
+        return (c, s, s, -c, width / 2 - c * x - s * y + right, height / 2 - s * x + c * y + down)
 
     def __repr__(self) -> str:
         return f"Camera({self._size}, position={tuple(self._position)}, zoom={self._zoom:g}, angle={self._angle:g})"

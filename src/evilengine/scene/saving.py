@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Container
 from typing import TYPE_CHECKING, Any
 
 from evilengine import _core
 from evilengine.scene.animated import Clip
 from evilengine.scene.camera import Camera
+from evilengine.scene.camera_work import Followed, read_work
 from evilengine.scene.drawing import Drawing
 from evilengine.scene.particles import EmittersState
 from evilengine.scene.text import Text
@@ -132,12 +133,14 @@ def camera_state(camera: Camera) -> dict[str, Any]:
     """What a saved game keeps of a camera; the size of the screen is the device's."""
     return {
         "position": list(camera.position), "zoom": camera.zoom, "angle": camera.angle,
-        "fit": None if camera._fit is None else list(camera._fit),
+        "fit": None if camera._fit is None else list(camera._fit), "work": camera._work_state(),
     }  # fmt: skip
 
 
-def read_camera(camera: Camera, state: dict[str, Any]) -> Callable[[], None]:
-    """Read what `camera_state` gave, and return what puts it in place."""
+def read_camera(
+    camera: Camera, state: dict[str, Any], bodies: Container[int]
+) -> Callable[[Callable[[int], Followed]], None]:
+    """Read what `camera_state` gave, and return what puts it in place, given who finds bodies by their slots."""
     read = Camera(position=state["position"], zoom=state["zoom"], angle=state["angle"])
     if state["fit"] is not None:
         width, height = state["fit"]
@@ -146,9 +149,12 @@ def read_camera(camera: Camera, state: dict[str, Any]) -> Callable[[], None]:
         else:
             read.view_height = height
 
-    def put() -> None:
+    work = read_work(state["work"], bodies)
+
+    def put(body: Callable[[int], Followed]) -> None:
         camera._fit = read._fit
         camera.position, camera.zoom, camera.angle = read.position, read.zoom, read.angle
+        work(camera, body)
 
     return put
 

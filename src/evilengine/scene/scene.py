@@ -258,7 +258,7 @@ class Scene:
         screen = (width, height)
         if scale is None:
             scale = min(width / camera.size[0], height / camera.size[1])
-        view = camera.matrix(screen, scale)
+        view = camera.matrix(screen, scale, alpha)
         content = self._core.collect(self.world._core, view, alpha, scale)
         for emitter in sorted(self._emitters, key=lambda each: each.layer):
             emitter._collect(view, alpha, screen)
