@@ -436,3 +436,17 @@ def test_numbers_of_numpy_are_as_good_as_pythons(number: type) -> None:
     assert world.bodies_at_each(np.array([[5, 0], [0, 0]], number)).starts.tolist() == [0, 1, 1]
     for angle in (number(1), np.array(1, number), np.array([1], number)):
         assert world.overlapping_each(evil.Circle(1), [(5, 0)], angle=angle)[0] == (wall,)
+
+
+@pytest.mark.parametrize("at", [(3e38, 0), (0, -3e38), (3.4e38, -3.4e38), (1e30, 1e30), (2e7, 0)])
+def test_nobody_is_where_no_body_can_be(at) -> None:
+    world = crowd(4, 30)
+    assert world.bodies_at(at) == ()
+    for shape in (
+        evil.Circle(1),
+        evil.Rectangle(1e5, 1e5),
+        evil.Particle(mass=1),
+        evil.Polygon([(0, 0), (5, 0), (0, 5)]),
+    ):
+        assert world.overlapping(shape, at=at) == ()
+        assert world.overlapping_each(shape, at=[at])[0] == ()

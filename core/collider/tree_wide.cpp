@@ -89,8 +89,9 @@ void walk_inside(const TreeView& tree, const float low[2], const float high[2], 
     float limit = 1.0f;
     walk(tree, limit, visit, context, [&](const Boxes& boxes, float* near) {
         store(near, Floats(0.0f));
-        return bits((load(boxes.low_x) <= right) & (load(boxes.high_x) >= left) & (load(boxes.low_y) <= top) &
-                    (load(boxes.high_y) >= bottom));
+        Floats low_x = load(boxes.low_x), high_x = load(boxes.high_x);
+        return bits((low_x <= right) & (high_x >= left) & (load(boxes.low_y) <= top) & (load(boxes.high_y) >= bottom) &
+                    (low_x <= high_x));
     });
 }
 
