@@ -2,6 +2,7 @@
 #include "bind/bytes.hpp"
 #include "draw/draw_list.hpp"
 #include "gpu/batches.hpp"
+#include "raster/pyramid.hpp"
 #include "raster/texture.hpp"
 #include <memory>
 #include <nanobind/stl/vector.h>
@@ -28,6 +29,29 @@ template <class T> Memory memory_of(const std::shared_ptr<const void>& owner, co
     return {owner, values.data(), values.size() * sizeof(T)};
 }
 
+nb::tuple to_tuple(const draw::Interlude& interlude) {
+    switch (interlude.kind) {
+    case draw::InterludeKind::blur: {
+        const raster::Depth depth = raster::depth_of(interlude.radius);
+        return nb::make_tuple("blur", depth.levels, depth.share);
+    }
+    case draw::InterludeKind::post:
+        return nb::make_tuple("post");
+    default:
+        break;
+    }
+    const bool disc = interlude.form == draw::SpeckForm::disc;
+    return nb::make_tuple("specks", interlude.first, interlude.count, disc, interlude.adds);
+}
+
+// What the shader needs of the post pass besides the table.
+nb::dict settings_of(const draw::Post& post) {
+    nb::dict settings;
+    settings["bloom"] = post.bloom, settings["threshold"] = post.threshold, settings["saturation"] = post.saturation;
+    settings["vignette"] = post.vignette, settings["grain"] = post.grain, settings["seed"] = post.seed;
+    return settings;
+}
+
 // Ids of pictures count up and are never given out twice, so a released one can never turn into another.
 class Batcher {
 public:
@@ -45,12 +69,13 @@ public:
     nb::list collect(const draw::DrawList& list, int width, int height) {
         if (frame_.use_count() > 1) frame_ = std::make_shared<gpu::Frame>();
         if (shapes_.use_count() > 1) shapes_ = std::make_shared<gpu::Shapes>(*shapes_);
+        post_ = list.interludes.post;
         gpu::collect(*frame_, *shapes_, scratch_, list, held_, width, height);
         frame_->edges.resize((frame_->edges.size() + gpu::kRow - 1) / gpu::kRow * gpu::kRow); // uploaded by whole rows
         nb::list batches;
         for (const gpu::Batch& batch : frame_->batches) {
-            if (batch.specks) {
-                batches.append(nb::make_tuple(batch.first, batch.count, nb::none(), batch.disc + 2 * batch.adds));
+            if (batch.interlude) {
+                batches.append(to_tuple(*batch.interlude));
                 continue;
             }
             nb::list textures;
@@ -61,6 +86,7 @@ public:
         return batches;
     }
 
+    const draw::Post& post() const { return post_; }
     Memory specks() const { return memory_of(frame_, frame_->specks); }
     Memory quads() const { return memory_of(frame_, frame_->quads); }
     Memory edges() const { return memory_of(frame_, frame_->edges); }
@@ -71,6 +97,7 @@ private:
     std::shared_ptr<gpu::Frame> frame_ = std::make_shared<gpu::Frame>();
     std::shared_ptr<gpu::Shapes> shapes_ = std::make_shared<gpu::Shapes>();
     gpu::Scratch scratch_;
+    draw::Post post_;                               // of the frame
     std::vector<bool> held_ = std::vector<bool>(1); // id 0 is no texture
 };
 
@@ -96,14 +123,18 @@ void register_gpu(nb::module_& module) {
         .def(nb::init<>())
         .def("hold", &Batcher::hold, "The id of one more picture.")
         .def("drop", &Batcher::drop, nb::arg("texture"), "Draw what names this picture without one from now on.")
-        .def(
-            "collect", &Batcher::collect, nb::arg("list"), nb::arg("width"), nb::arg("height"),
-            nb::sig("def collect(self, list: DrawList, width: int, height: int) -> "
-                    "list[tuple[int, int, tuple[int, ...] | None, int]]"),
-            "A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus "
-            "twice "
-            "the number of their draw::Blend; or the first speck, how many, None, and 1 for discs plus 2 for what adds "
-            "light.")
+        .def("collect", &Batcher::collect, nb::arg("list"), nb::arg("width"), nb::arg("height"),
+             nb::sig("def collect(self, list: DrawList, width: int, height: int) -> "
+                     "list[tuple[typing.Any, ...]]"),
+             "A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus "
+             "twice the number of their draw::Blend. "
+             "Between them ('specks', first, count, are they discs, do they add), ('blur', levels, share), ('post',).")
+        .def_prop_ro(
+            "post", [](const Batcher& b) { return settings_of(b.post()); },
+            nb::sig("def post(self) -> dict[str, float]"), "What the post pass of the frame is told.")
+        .def_prop_ro(
+            "tones", [](const Batcher& b) { return nb::bytes(b.post().table.data(), sizeof b.post().table); },
+            "Its table: 1024 rows of four float32.")
         .def_prop_ro("specks", &Batcher::specks, "The frame's specks; see core/draw/specks.hpp.")
         .def_prop_ro("quads", &Batcher::quads, "The frame's quads; see core/gpu/quads.hpp.")
         .def_prop_ro("edges", &Batcher::edges,

@@ -228,6 +228,26 @@ void add_glyphs(SceneBox& box, nb::bytes boxes, float x, float y, std::uint32_t 
     glyphs(overlay_of(box), box.glyphs, {x, y}, texture, colour);
 }
 
+void set_layers(SceneBox& box, const std::vector<std::tuple<std::int32_t, Matrix6, Rgba8, bool>>& layers) {
+    box.scene.looks.clear();
+    for (const auto& [layer, matrix, tint, visible] : layers)
+        box.scene.looks.push_back({layer, to_affine(matrix), tint, visible});
+}
+
+void add_post(SceneBox& box, float bloom, float threshold, float saturation, float vignette, float grain,
+              std::uint32_t seed, float exposure, float contrast, bool filmic,
+              const std::tuple<float, float, float>& tint) {
+    Post& post = box.list->interludes.post;
+    const Grading grading{exposure, contrast, filmic, {std::get<0>(tint), std::get<1>(tint), std::get<2>(tint)}};
+    if (!(post.grading == grading) || !post.graded) grade(post, grading);
+    post.bloom = bloom, post.threshold = threshold, post.saturation = saturation;
+    post.vignette = vignette, post.grain = grain, post.seed = seed;
+    Interlude interlude;
+    interlude.before = static_cast<std::uint32_t>(box.list->instances.size());
+    interlude.kind = InterludeKind::post;
+    box.list->interludes.rows.push_back(interlude);
+}
+
 } // namespace
 
 void register_scene(nb::module_& module) {
@@ -360,6 +380,20 @@ void register_scene(nb::module_& module) {
         .def("set_matrix", set_matrix<&Drawing::local>(), slot, generation, value)
         .def("texture_matrix", get_matrix<&Drawing::texture_matrix>(), slot, generation)
         .def("set_texture_matrix", set_matrix<&Drawing::texture_matrix>(), slot, generation, value)
+        .def("set_layers", &set_layers, nb::arg("layers"),
+             "How layers are seen that are not seen as the world is: (layer, matrix, tint, visible), by layer.")
+        .def(
+            "fog",
+            [](SceneBox& box, std::int32_t layer, Rgba8 top, Rgba8 bottom, float width, float height) {
+                add_fog(*box.list, layer, top, bottom, {width, height});
+            },
+            nb::arg("layer"), nb::arg("top"), nb::arg("bottom"), nb::arg("width"), nb::arg("height"))
+        .def(
+            "blur", [](SceneBox& box, std::int32_t layer, float radius) { add_blur(*box.list, layer, radius); },
+            nb::arg("layer"), nb::arg("radius"))
+        .def("post", &add_post, nb::kw_only(), nb::arg("bloom"), nb::arg("threshold"), nb::arg("saturation"),
+             nb::arg("vignette"), nb::arg("grain"), nb::arg("seed"), nb::arg("exposure"), nb::arg("contrast"),
+             nb::arg("filmic"), nb::arg("tint"), "What is done to all that the frame has so far.")
         .def("collect", &collect_frame, world, view, alpha, points,
              "The frame at alpha (0..1) between the last two steps; good until the next one.")
         .def("debug", &debug_frame, world, view, alpha, points, nb::arg("inks"), nb::arg("parts"),

@@ -1,7 +1,7 @@
 #pragma once
 // What the scene hands to a renderer: geometry that is shared, and one instance for each thing to draw, back to front.
 // A renderer reads this and nothing else of the engine.
-#include "draw/specks.hpp"
+#include "draw/interludes.hpp"
 #include "math/transform.hpp"
 #include <cstdint>
 #include <span>
@@ -61,7 +61,7 @@ struct DrawList {
     std::vector<Mesh> meshes;
     std::vector<Instance> instances; // sorted: layer, then order of creation
     std::vector<LayerStart> layers;  // those that have instances, back to front
-    Specks specks;                   // between the instances
+    Interludes interludes;           // between the instances
 };
 
 inline void clear(DrawList& list) { // keeps the memory for the next frame
@@ -70,7 +70,7 @@ inline void clear(DrawList& list) { // keeps the memory for the next frame
     list.meshes.clear();
     list.instances.clear();
     list.layers.clear();
-    list.specks.clear();
+    list.interludes.clear();
 }
 
 // Whether everything that the mesh names is there: a renderer draws nothing else.

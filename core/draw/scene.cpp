@@ -109,20 +109,26 @@ void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affin
     out.meshes.resize(scene.meshes.meshes().size());
     out.instances.clear();
     out.layers.clear();
-    out.specks.clear();
+    out.interludes.clear();
 
+    LayerCursor layer{scene.looks, view};
     for (const DrawingRef ref : scene.order) {
         const Drawing& drawing = scene.drawings[ref.slot];
-        if (!drawing.visible) continue;
-        const Affine to_pixel = compose(view, placed(drawing, poses, shapes, alpha));
+        if (!drawing.visible || !layer.go_to(drawing.layer)) continue;
+        const Affine to_pixel = compose(layer.view, placed(drawing, poses, shapes, alpha));
         if (!is_finite(to_pixel)) continue; // too far away for a float; nothing of it would be on the picture
         if (out.layers.empty() || out.layers.back().layer != drawing.layer)
             out.layers.push_back({drawing.layer, static_cast<std::uint32_t>(out.instances.size())});
         out.instances.push_back({to_pixel, texture_place(drawing), drawing.mesh, shown_texture(scene, drawing, now),
-                                 drawing.tint, 0.0f, drawing.blend});
+                                 multiplied(drawing.tint, layer.tint), 0.0f, drawing.blend});
         if (drawing.edge_width > 0.0f)
-            out.instances.push_back(
-                {to_pixel, {}, drawing.mesh, kNoTexture, drawing.edge, drawing.edge_width * points, drawing.blend});
+            out.instances.push_back({to_pixel,
+                                     {},
+                                     drawing.mesh,
+                                     kNoTexture,
+                                     multiplied(drawing.edge, layer.tint),
+                                     drawing.edge_width * points,
+                                     drawing.blend});
     }
 }
 

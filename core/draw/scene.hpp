@@ -2,6 +2,7 @@
 // What is drawn (SPEC A5, G13): drawings that follow a body or stand by themselves, in layers.
 #include "draw/draw_list.hpp"
 #include "draw/flipbook.hpp"
+#include "draw/layers.hpp"
 #include "draw/meshes.hpp"
 #include "published.hpp"
 #include "shapes/shapes.hpp"
@@ -37,6 +38,7 @@ struct Scene { // State
     std::vector<DrawingRef> order; // back to front; removed ones leave at the next collect()
     bool sorted = true;            // `order` follows layer and serial
     std::uint64_t next_serial = 0;
+    std::vector<LayerLook> looks;        // of this frame: layers that are not seen as the world is
     std::uint64_t copied_meshes = ~0ull; // revision of the meshes that the list given to collect() has
 };
 

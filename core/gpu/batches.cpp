@@ -163,7 +163,7 @@ void put(Context& context, const Look& look, Cover cover) {
     Quad quad = look.quad;
     quad.how = to_how(cover, look.flags, look.facets);
     const bool fits =
-        !frame.batches.empty() && !frame.batches.back().specks && frame.batches.back().blend == look.blend;
+        !frame.batches.empty() && !frame.batches.back().interlude && frame.batches.back().blend == look.blend;
     if (!fits) begin_batch(frame, look.blend);
     if (look.flags & kTextured) quad.how |= unit_of(frame, look.texture) << 12;
     frame.quads.push_back(quad);
@@ -357,11 +357,10 @@ void put_instance(Context& context, const draw::Instance& instance) {
         put_polygon(context, look, instance, shape);
 }
 
-// A draw call of its own, in the midst of those of quads.
-void put_specks(Frame& frame, const draw::SpeckRun& run) {
+// Something of its own, in the midst of the draw calls of quads.
+void put_interlude(Frame& frame, const draw::Interlude& interlude) {
     Batch batch;
-    batch.first = run.first, batch.count = run.count, batch.specks = true;
-    batch.disc = run.form == draw::SpeckForm::disc, batch.adds = run.adds;
+    batch.interlude = interlude;
     frame.batches.push_back(batch);
 }
 
@@ -371,19 +370,20 @@ void collect(Frame& frame, Shapes& shapes, Scratch& scratch, const draw::DrawLis
              int width, int height) {
     update(shapes, list);
     frame.quads.clear(), frame.edges.clear();
-    frame.specks = list.specks.rows;
+    frame.specks = list.interludes.specks;
     frame.batches.clear();
     Context context{frame, shapes, scratch, list, held, {0, 0, width, height}};
-    auto run = list.specks.runs.begin();
-    const auto put_runs = [&](std::size_t before) {
-        for (; run != list.specks.runs.end() && run->before <= before; ++run) put_specks(frame, *run);
+    auto interlude = list.interludes.rows.begin();
+    const auto put_interludes = [&](std::size_t before) {
+        for (; interlude != list.interludes.rows.end() && interlude->before <= before; ++interlude)
+            put_interlude(frame, *interlude);
     };
     for (std::size_t i = 0; i < list.instances.size(); ++i) {
-        put_runs(i);
+        put_interludes(i);
         const draw::Instance& instance = list.instances[i];
         if (instance.mesh < list.meshes.size()) put_instance(context, instance);
     }
-    put_runs(list.instances.size());
+    put_interludes(list.instances.size());
 }
 
 } // namespace evil::gpu

@@ -4,6 +4,7 @@
 #include "draw/draw_list.hpp"
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace evil::gpu {
@@ -60,10 +61,9 @@ inline constexpr std::uint32_t to_how(Cover cover, std::uint32_t flags, std::uin
     return static_cast<std::uint32_t>(cover) | flags << 4 | facets << 16;
 }
 
-struct Batch { // quads of one draw call, or a run of the list's specks
+struct Batch { // quads of one draw call, or an interlude between such
     std::uint32_t first = 0, count = 0;
-    bool specks = false; // first and count are in Frame::specks then
-    bool disc = false, adds = false;
+    std::optional<draw::Interlude> interlude;
     bool facets = false;                   // whether any of them has some
     draw::Blend blend = draw::Blend::over; // over, which serves add too; multiply; screen
     std::uint32_t units = 0;               // how many of `textures` are in use

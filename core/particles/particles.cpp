@@ -1,5 +1,6 @@
 #include "particles/particles.hpp"
 #include "archive.hpp"
+#include "draw/layers.hpp"
 #include "draw/scene.hpp"
 #include "particles/obstacles.hpp"
 #include "particles/particles_wide.hpp"
@@ -187,11 +188,12 @@ draw::Speck speck_of(Vec2 at, Vec2 along, float radius, draw::Rgba8 colour) {
     return speck;
 }
 
-draw::Instance picture_of(Vec2 at, Rot turn, const Affine& view, float half, draw::Rgba8 colour, std::uint32_t texture,
+draw::Instance picture_of(Vec2 at, Rot turn, const Affine& view, float half, draw::Rgba8 colour, const Look& look,
                           std::uint32_t square) {
     const Vec2 x = half * apply_linear(view, {turn.c, turn.s}), y = half * apply_linear(view, {turn.s, -turn.c});
     const Vec2 corner = at - x - y;
-    return {{2 * x.x, 2 * x.y, 2 * y.x, 2 * y.y, corner.x, corner.y}, {}, square, texture, colour, 0.0f};
+    return {{2 * x.x, 2 * x.y, 2 * y.x, 2 * y.y, corner.x, corner.y}, {}, square, look.texture, colour, 0.0f,
+            look.adds ? draw::Blend::add : draw::Blend::over};
 }
 
 struct Seen { // a particle on the screen
@@ -221,28 +223,14 @@ void each_seen(const Emitter& emitter, const Affine& view, float back, float sca
     }
 }
 
-std::uint32_t place_in(const draw::DrawList& list, std::int32_t layer) { // above the layer's instances
-    for (const draw::LayerStart& start : list.layers)
-        if (start.layer > layer) return start.first;
-    return static_cast<std::uint32_t>(list.instances.size());
-}
-
 void insert_pictures(const Emitter& emitter, const Affine& view, float back, float scale, Vec2 screen,
                      std::uint32_t square, draw::DrawList& out) {
-    const auto end = static_cast<std::ptrdiff_t>(out.instances.size());
+    const auto first = static_cast<std::uint32_t>(out.instances.size());
     each_seen(emitter, view, back, scale, screen, [&](const Seen& p) {
         const Rot turn = p.turn == 0.0f ? Rot{} : rotation(p.turn);
-        out.instances.push_back(picture_of(p.at, turn, view, p.half, p.colour, emitter.look.texture, square));
+        out.instances.push_back(picture_of(p.at, turn, view, p.half, p.colour, emitter.look, square));
     });
-    const auto begin = out.instances.begin();
-    const auto made = static_cast<std::uint32_t>(out.instances.size()) - static_cast<std::uint32_t>(end);
-    for (draw::LayerStart& start : out.layers)
-        if (start.layer > emitter.look.layer) {
-            if (made) std::rotate(begin + start.first, begin + end, out.instances.end());
-            break;
-        }
-    for (draw::LayerStart& start : out.layers)
-        if (start.layer > emitter.look.layer) start.first += made;
+    draw::move_to_layer(out, first, emitter.look.layer);
 }
 
 } // namespace
@@ -277,14 +265,17 @@ void collect(const Emitter& emitter, const Affine& view, float alpha, float dt, 
     const float stretch = 0.5f * emitter.look.stretch;
     if (emitter.look.texture != draw::kNoTexture)
         return insert_pictures(emitter, view, back, scale, screen, square, out);
-    draw::SpeckRun run{place_in(out, emitter.look.layer), static_cast<std::uint32_t>(out.specks.rows.size()), 0,
-                       emitter.look.form, emitter.look.adds};
+    std::vector<draw::Speck>& specks = out.interludes.specks;
+    draw::Interlude run;
+    run.before = draw::end_of_layer(out, emitter.look.layer);
+    run.first = static_cast<std::uint32_t>(specks.size());
+    run.form = emitter.look.form, run.adds = emitter.look.adds;
     each_seen(emitter, view, back, scale, screen, [&](const Seen& p) {
         const Vec2 along = stretch > 0.0f ? stretch * apply_linear(view, p.velocity) : Vec2{};
-        out.specks.rows.push_back(speck_of(p.at, along, scale * p.half, p.colour));
+        specks.push_back(speck_of(p.at, along, scale * p.half, p.colour));
     });
-    run.count = static_cast<std::uint32_t>(out.specks.rows.size()) - run.first;
-    if (run.count > 0) out.specks.runs.push_back(run);
+    run.count = static_cast<std::uint32_t>(specks.size()) - run.first;
+    if (run.count > 0) out.interludes.rows.push_back(run);
 }
 
 // ---- saving --------------------------------------------------------------------------------------------------------

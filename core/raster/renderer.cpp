@@ -128,6 +128,18 @@ void draw_instance(const draw::DrawList& list, const draw::Instance& instance, c
     }
 }
 
+void do_interlude(const draw::Interludes& all, const draw::Interlude& one, const Target& target, Scratch& scratch,
+                  Set set) {
+    switch (one.kind) {
+    case draw::InterludeKind::specks:
+        return draw_specks(all.specks, one, target, set);
+    case draw::InterludeKind::blur:
+        return blur(target, one.radius, scratch.pyramid, set);
+    case draw::InterludeKind::post:
+        return finish(target, all.post, scratch.pyramid, set);
+    }
+}
+
 } // namespace
 
 void render(const draw::DrawList& list, draw::Rgba8 background, std::span<const Texture> textures, const Target& target,
@@ -139,20 +151,19 @@ void render(const draw::DrawList& list, draw::Rgba8 background, std::span<const 
 
     std::vector<bool> sound(list.meshes.size());
     for (std::size_t i = 0; i < list.meshes.size(); ++i) sound[i] = draw::is_sound(list, list.meshes[i]);
-    std::size_t next_run = 0;
-    const auto draw_runs = [&](std::size_t before) {
-        const std::vector<draw::SpeckRun>& runs = list.specks.runs;
-        for (; next_run < runs.size() && runs[next_run].before <= before; ++next_run)
-            draw_specks(list.specks, runs[next_run], target, set);
+    auto interlude = list.interludes.rows.begin();
+    const auto do_interludes = [&](std::size_t before) {
+        for (; interlude != list.interludes.rows.end() && interlude->before <= before; ++interlude)
+            do_interlude(list.interludes, *interlude, target, scratch, set);
     };
     for (std::size_t i = 0; i < list.instances.size(); ++i) {
-        draw_runs(i);
+        do_interludes(i);
         const draw::Instance& instance = list.instances[i];
         if (instance.mesh >= list.meshes.size() || !sound[instance.mesh]) continue;
         const bool found = instance.texture != draw::kNoTexture && instance.texture < textures.size();
         draw_instance(list, instance, found ? &textures[instance.texture] : nullptr, target, scratch, set);
     }
-    draw_runs(list.instances.size());
+    do_interludes(list.instances.size());
 }
 
 void unpremultiply(std::span<Pixel> pixels) noexcept {

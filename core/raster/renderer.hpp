@@ -6,6 +6,7 @@
 #include "raster/coverage.hpp"
 #include "raster/outline.hpp"
 #include "raster/paint.hpp"
+#include "raster/pyramid.hpp"
 #include "raster/target.hpp"
 #include "raster/texture.hpp"
 #include <span>
@@ -19,6 +20,7 @@ struct Scratch { // losing it changes nothing
     Paint paint;
     std::vector<std::int32_t> mask;
     std::vector<Pixel> row;
+    Pyramid pyramid;
 };
 
 // Fills the target with `background` (straight colour) and draws the instances in their order. Textures are found by id;

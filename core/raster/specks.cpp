@@ -33,10 +33,10 @@ bool place(SpeckPaint& paint, const draw::Speck& speck, bool disc, const Target&
 
 } // namespace
 
-void draw_specks(const draw::Specks& specks, const draw::SpeckRun& run, const Target& target, Set set) {
+void draw_specks(std::span<const draw::Speck> specks, const draw::Interlude& run, const Target& target, Set set) {
     SpeckPaint paint{};
     for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
-        const draw::Speck& speck = specks.rows[i];
+        const draw::Speck& speck = specks[i];
         if (!place(paint, speck, run.form == draw::SpeckForm::disc, target)) continue;
         paint.colour = premultiply(speck.colour);
         if (run.adds) paint.colour &= 0x00ffffffu;

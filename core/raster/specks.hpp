@@ -1,7 +1,8 @@
 #pragma once
 // Specks in software: each pixel by its distance from the middle.
-#include "draw/specks.hpp"
+#include "draw/interludes.hpp"
 #include "raster/spans.hpp"
+#include <span>
 
 namespace evil::raster {
 
@@ -14,6 +15,6 @@ struct SpeckPaint { // one of them, cut to the target; u and v are 1 on its rim
     Pixel colour = 0; // multiplied with alpha; what adds has an alpha of 0
 };
 
-void draw_specks(const draw::Specks& specks, const draw::SpeckRun& run, const Target& target, Set set);
+void draw_specks(std::span<const draw::Speck> specks, const draw::Interlude& run, const Target& target, Set set);
 
 } // namespace evil::raster

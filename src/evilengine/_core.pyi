@@ -1754,10 +1754,18 @@ class Batcher:
     def drop(self, texture: int) -> None:
         """Draw what names this picture without one from now on."""
 
-    def collect(self, list: DrawList, width: int, height: int) -> list[tuple[int, int, tuple[int, ...] | None, int]]:
+    def collect(self, list: DrawList, width: int, height: int) -> list[tuple[Any, ...]]:
         """
-        A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus twice the number of their draw::Blend; or the first speck, how many, None, and 1 for discs plus 2 for what adds light.
+        A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus twice the number of their draw::Blend. Between them ('specks', first, count, are they discs, do they add), ('blur', levels, share), ('post',).
         """
+
+    @property
+    def post(self) -> dict[str, float]:
+        """What the post pass of the frame is told."""
+
+    @property
+    def tones(self) -> bytes:
+        """Its table: 1024 rows of four float32."""
 
     @property
     def specks(self) -> Memory:
@@ -1898,6 +1906,18 @@ class Scene:
     def texture_matrix(self, slot: int, generation: int) -> tuple[float, float, float, float, float, float]: ...
 
     def set_texture_matrix(self, slot: int, generation: int, value: tuple[float, float, float, float, float, float]) -> None: ...
+
+    def set_layers(self, layers: Sequence[tuple[int, tuple[float, float, float, float, float, float], int, bool]]) -> None:
+        """
+        How layers are seen that are not seen as the world is: (layer, matrix, tint, visible), by layer.
+        """
+
+    def fog(self, layer: int, top: int, bottom: int, width: float, height: float) -> None: ...
+
+    def blur(self, layer: int, radius: float) -> None: ...
+
+    def post(self, *, bloom: float, threshold: float, saturation: float, vignette: float, grain: float, seed: int, exposure: float, contrast: float, filmic: bool, tint: tuple[float, float, float]) -> None:
+        """What is done to all that the frame has so far."""
 
     def collect(self, world: World, view: tuple[float, float, float, float, float, float], alpha: float, points: float) -> DrawList:
         """

@@ -62,6 +62,8 @@ class Settings:
     """What the camera must show, in metres."""
     bounds: tuple[float, float, float, float] | None
     """What of the world it may show."""
+    air: tuple[dict[str, Any], dict[str, Any]]
+    """How layers are seen, and what is done to the picture."""
 
 
 class Scenes:
@@ -206,6 +208,7 @@ def settings_of(game: Game) -> Settings:
         game.scenes._settings = Settings(
             world.gravity, world.sleep, game.tilt, game.scene.background,
             (camera.position, camera.zoom, camera.angle), camera._fit, camera.bounds,
+            (game.scene.layers.state(), game.scene.post.state()),
         )  # fmt: skip
     return game.scenes._settings
 
@@ -238,6 +241,9 @@ def clear(game: Game, to: Visit | None) -> None:
     game.world.gravity, game.world.sleep, game.scene.background = own.gravity, own.sleep, own.background
     camera._rest()
     (camera.position, camera.zoom, camera.angle), camera._fit, camera._bounds = own.camera, own.fit, own.bounds
+    layers, post = own.air
+    game.scene.layers.become(game.scene.layers.read(layers))
+    game.scene.post.become(game.scene.post.read(post))
     game.tilt, game._tilted, game.paused, game.speed, game._alpha = own.tilt, None, False, 1.0, 1.0
     if to is None or to.sounds == "stop":
         game.audio.stop(fade=FADE)

@@ -8,7 +8,7 @@ from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any, cast
 
 from evilengine.assets import Pictures
-from evilengine.scene import LOOKS, Camera, DebugView, Drawing, DrawnBody, Emitter, Scene, Text
+from evilengine.scene import LOOKS, Camera, DebugView, Drawing, DrawnBody, Emitter, Layers, Post, Scene, Text
 from evilengine.scene.camera import POINTS_A_METRE
 from evilengine.scene.drawing import DEEPEST_LAYER
 from evilengine.scene.particles import add_particles
@@ -25,6 +25,9 @@ from evilengine.world.world import World
 if TYPE_CHECKING:
     from evilengine.game.game import Game
     from evilengine.level import Level
+
+REPEATED = 201
+"""How often a background is repeated: odd, so that one lies in the middle, and more than a camera's way is long."""
 
 _BODY_OPTIONS = frozenset(inspect.signature(World.add).parameters) - {"self", "shape"}
 
@@ -130,20 +133,61 @@ class Things:
         """Put a line of text on the screen, `at` logical points from its top left corner."""
         return self.scene.text(text, **options)
 
-    @known_keywords
-    def add_background(self, what: ColourLike) -> Drawing | None:
-        """Set what lies behind everything: a colour, or an image by its file name, which covers what the camera shows.
+    @property
+    def layers(self) -> Layers:
+        """How layers are seen: `game.layers[-2].parallax = 0.4`; fog between them, out of focus, in one colour."""
+        return self.scene.layers
 
-        The image is a Drawing in the deepest layer and stays where it is in the world; a colour gives None.
+    @property
+    def post(self) -> Post:
+        """What is done to the whole picture: `game.post.bloom = 0.6`."""
+        return self.scene.post
+
+    @known_keywords
+    def add_background(
+        self,
+        what: ColourLike,
+        *,
+        parallax: float = 1.0,
+        layer: int | None = None,
+        height: float | None = None,
+        repeat: bool | None = None,
+        colour: ColourLike = "white",
+        lit: bool = False,
+    ) -> Drawing | None:
+        """Set what lies behind everything: a colour, or an image by its file name.
+
+        An image is a Drawing in a layer of its own, each in front of those that were added before it, or in `layer`. It
+        covers what the camera shows, or is `height` metres high, and makes `parallax` of the camera's motion: 1 stays
+        where it is in the world, 0 on the screen. One with a parallax of its own is repeated to both sides, unless
+        `repeat` says otherwise. `colour` tints it, and with `lit` lights fall on it. A colour gives None.
         """
         if not (isinstance(what, str) and PurePath(what).suffix):
             self.scene.background = what
             return None
-        width, height = self._pictures.size(what)
-        across, up = (side / self.camera.points_a_metre for side in self.camera.size)
-        metres = max(across / width, up / height)  # a pixel of it: as small as covers the screen both ways
-        shape = Rectangle(width * metres, height * metres)
-        return self.scene.add(shape, at=self.camera.position, texture=what, layer=-DEEPEST_LAYER)
+        if layer is None:
+            layer = -DEEPEST_LAYER + self.scene.backgrounds
+        width, points = self._pictures.size(what)
+        if height is None:
+            across, up = (side / self.camera.points_a_metre for side in self.camera.size)
+            metres = max(across / width, up / points)  # a pixel of it: as small as covers the screen both ways
+        else:
+            metres = number(height, "Game.add_background", "height", above=0.0, most=1e6) / points
+        number(parallax, "Game.add_background", "parallax", least=0.0, most=100.0)
+        copies = REPEATED if (parallax != 1.0 if repeat is None else repeat) else 1
+        drawing = self.scene.add(
+            Rectangle(copies * width * metres, points * metres),
+            at=self.camera.position,
+            texture=what,
+            texture_matrix=(copies, 0, 0, 1, 0, 0),
+            layer=layer,
+            colour=colour,
+            lit=lit,
+        )
+        self.scene.backgrounds += 1
+        if parallax != 1.0:
+            self.scene.layers[layer].parallax = parallax
+        return drawing
 
     @known_keywords
     def load(self, path: str | Path) -> Level:

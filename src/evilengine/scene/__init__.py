@@ -1,11 +1,25 @@
-"""What is seen: the camera, drawings on bodies and by themselves, text, and the debug view."""
+"""What is seen: the camera, drawings on bodies and by themselves, layers, particles, text, and the debug view."""
 
 from evilengine.scene.camera import Camera
 from evilengine.scene.debug import DebugView
 from evilengine.scene.drawing import Drawing
 from evilengine.scene.drawn_body import LOOKS, DrawnBody
+from evilengine.scene.layers import Layer, Layers
 from evilengine.scene.particles import Emitter
+from evilengine.scene.post import Post
 from evilengine.scene.scene import Scene
 from evilengine.scene.text import Text
 
-__all__ = ["LOOKS", "Camera", "DebugView", "Drawing", "DrawnBody", "Emitter", "Scene", "Text"]
+__all__ = [
+    "LOOKS",
+    "Camera",
+    "DebugView",
+    "Drawing",
+    "DrawnBody",
+    "Emitter",
+    "Layer",
+    "Layers",
+    "Post",
+    "Scene",
+    "Text",
+]

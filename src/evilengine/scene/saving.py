@@ -10,7 +10,9 @@ from evilengine.scene.animated import Clip
 from evilengine.scene.camera import Camera
 from evilengine.scene.camera_work import Followed, read_work
 from evilengine.scene.drawing import Drawing
+from evilengine.scene.layers import Layers
 from evilengine.scene.particles import EmittersState
+from evilengine.scene.post import Post
 from evilengine.scene.text import Text
 from evilengine.values.colour import Colour
 from evilengine.values.sheet import Animation, Sheet
@@ -34,6 +36,9 @@ def state_of(scene: Scene) -> tuple[bytes, dict[str, Any]]:
         "from_palette": scene._from_palette,
         "texts": texts,
         "texts_made": scene._texts_made,
+        "backgrounds": scene.backgrounds,
+        "layers": scene.layers.state(),
+        "post": scene.post.state(),
     }
     return drawings, rest
 
@@ -59,6 +64,9 @@ class SceneState:
         self._background = Colour(*rest["background"])
         self._from_palette = int(rest["from_palette"])
         self._texts_made = int(rest["texts_made"])
+        self._backgrounds = int(rest.get("backgrounds", 0))
+        self._layers = scene.layers.read(rest.get("layers", Layers().state()))
+        self._post = scene.post.read(rest.get("post", Post().state()))
         self._texts = {int(row[0]): _text(row) for row in rest["texts"]}
 
     @property
@@ -80,6 +88,9 @@ class SceneState:
         scene._core.restore(self._drawings, scene.world._core, self._textures, self._clips)
         scene.background = self._background
         scene._from_palette = self._from_palette
+        scene.backgrounds = self._backgrounds
+        scene.layers.become(self._layers)
+        scene.post.become(self._post)
         self._put_drawings()
         self._put_texts()
 

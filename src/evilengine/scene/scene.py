@@ -8,11 +8,13 @@ from typing import Any, TypeAlias
 from evilengine import _core
 from evilengine.scene import graph
 from evilengine.scene.animated import BLENDS, Clip, clip_of, still
-from evilengine.scene.camera import Camera
+from evilengine.scene.camera import Camera, Matrix6
 from evilengine.scene.debug import DebugView
 from evilengine.scene.drawing import Drawing, placement, to_layer, to_matrix6
 from evilengine.scene.drawn_body import DrawnBody, show
+from evilengine.scene.layers import Layer, Layers, seen_middle
 from evilengine.scene.particles import Emitter
+from evilengine.scene.post import Post
 from evilengine.scene.sliced import Sliced, tile_size
 from evilengine.scene.text import Fonts, Text
 from evilengine.values.checks import known_keywords, number, one_of
@@ -22,7 +24,7 @@ from evilengine.values.errors import ArgumentError, ArgumentTypeError
 from evilengine.values.frame import FrameTimes
 from evilengine.values.sheet import COURSES, Cell, Sheet
 from evilengine.values.tick import STEP
-from evilengine.values.vec2 import Point
+from evilengine.values.vec2 import Point, Vec2
 from evilengine.world.body import Body, Shape
 from evilengine.world.shapes import PolygonLike, ShapeDefinition, to_shape
 from evilengine.world.world import World
@@ -69,6 +71,12 @@ class Scene:
         """What frames cost, to be drawn over everything; None for no graph."""
         self.panels: list[Panel] = []
         """Who draws over everything, on the screen: menus and readings that are no part of the game."""
+        self.backgrounds = 0
+        """How many images have been put behind everything."""
+        self.layers = Layers()
+        """How layers are seen that are not seen as the world is: farther off, in fog, out of focus."""
+        self.post = Post()
+        """What is done to the whole picture before text goes over it."""
         self._core = _core.Scene()
         self._textures = textures
         self._fonts = fonts
@@ -221,7 +229,10 @@ class Scene:
             emitter._step()
 
     def clear(self) -> None:
-        """Take away every drawing, text and emitter, and the background; what `overlay` put on the screen stays."""
+        """Take away all that is drawn, and what was said of the background, of layers and of the picture.
+
+        What `overlay` put on the screen stays.
+        """
         nothing = _core.SavedScene(_core.Scene().snapshot(self.world._core)[0])
         self._core.restore(nothing, self.world._core, [], [])
         self._core.clear_clips()
@@ -231,6 +242,9 @@ class Scene:
                 text.destroy()
         for emitter in tuple(self._emitters):
             emitter.destroy()
+        self.backgrounds = 0
+        self.layers.clear()
+        self.post.clear()
         self._texts, self._restored, self._from_palette, self.background = [], {}, 0, BACKGROUND
         self._restores += 1
 
@@ -259,9 +273,12 @@ class Scene:
         if scale is None:
             scale = min(width / camera.size[0], height / camera.size[1])
         view = camera.matrix(screen, scale, alpha)
+        eye = seen_middle(view, screen)
+        self._core.set_layers(self.layers.rows(eye, camera.zoom))
         content = self._core.collect(self.world._core, view, alpha, scale)
-        for emitter in sorted(self._emitters, key=lambda each: each.layer):
-            emitter._collect(view, alpha, screen)
+        self._collect_layers(view, eye, camera.zoom, alpha, screen, scale)
+        if self.post.on:
+            self.post.put(self._core, self.world.steps)
         if self.debug:
             self.debug_view.draw(self._core, self.world, self._fonts, view, alpha, screen, scale)
         if self.graph is not None and overlay:
@@ -274,6 +291,18 @@ class Scene:
             if text.visible and self._fonts is not None:
                 text.draw(self._core, self._fonts, screen, scale)
         return DrawList(screen, self._background.rgba8, content)
+
+    def _collect_layers(
+        self, view: Matrix6, eye: Vec2, zoom: float, alpha: float, screen: tuple[int, int], scale: float
+    ) -> None:
+        """Particles and fog, layer after layer: what lies over a layer's drawings, and what lies over that."""
+        over: list[tuple[int, bool, Emitter | Layer]] = [(each.layer, False, each) for each in self._emitters]
+        over += [(each.number, True, each) for each in self.layers]
+        for which, _, each in sorted(over, key=lambda row: row[:2]):
+            if isinstance(each, Layer):
+                self.layers.cover(self._core, each, screen, scale)
+            elif (seen := self.layers.view(which, view, eye, zoom)) is not None:
+                each._collect(seen, alpha, screen)
 
     def texture_id(self, name: object, owner: str) -> int:
         """The texture id of the image called `name`; 0 for None. Raises AssetError for an image that cannot be had."""

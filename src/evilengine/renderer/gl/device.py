@@ -147,6 +147,16 @@ class GraphicsDevice(Protocol):
         """Draw six corners for each instance: buffer, layout, the first one and how many. Colours are multiplied with
         alpha."""
 
+    def fill(
+        self,
+        target: Target,
+        program: Program,
+        *,
+        textures: Sequence[tuple[str, Texture]],
+        uniforms: Mapping[str, tuple[float, ...]],
+    ) -> None:
+        """Put something in the place of all that is on the target, by one triangle over it."""
+
     def show(self, program: Program, textures: Sequence[tuple[str, Texture]], size: tuple[int, int]) -> None:
         """Fill the window, `size` pixels, with one triangle over all of it."""
 

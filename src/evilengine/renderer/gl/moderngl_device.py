@@ -169,7 +169,7 @@ class _Program:
         if self._set.get(name) != value:
             member = self.native.get(name, None)  # a driver leaves out what the shader does not use
             if isinstance(member, moderngl.Uniform):
-                member.value = value
+                member.value = value[0] if isinstance(value, tuple) and len(value) == 1 else value
             self._set[name] = value
 
     def use(self, textures: Sequence[tuple[str, Texture]], uniforms: Mapping[str, tuple[float, ...]]) -> None:
@@ -319,6 +319,22 @@ class ModernGlDevice:
             self.context.blend_func = _BLENDS[blend]
             self._blend = blend
         program.vertices.render(moderngl.TRIANGLES, 6, 0, count)
+
+    def fill(
+        self,
+        target: Target,
+        program: Program,
+        *,
+        textures: Sequence[tuple[str, Texture]],
+        uniforms: Mapping[str, tuple[float, ...]],
+    ) -> None:
+        assert isinstance(target, _Target)
+        assert isinstance(program, _Program)
+        target.native.use()
+        program.use(textures, uniforms)
+        self.context.disable(moderngl.BLEND)
+        program.vertices.render(moderngl.TRIANGLES, 3)
+        self.context.enable(moderngl.BLEND)
 
     def show(self, program: Program, textures: Sequence[tuple[str, Texture]], size: tuple[int, int]) -> None:
         assert isinstance(program, _Program)

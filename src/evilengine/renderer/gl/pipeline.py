@@ -6,9 +6,12 @@ kept where, and in which order things go to the card.
 
 from __future__ import annotations
 
+from typing import Any
+
 from evilengine import _core
 from evilengine.renderer.gl import shaders
 from evilengine.renderer.gl.device import Attribute, Blend, GraphicsDevice, Layout, Program, Target, Texture
+from evilengine.renderer.gl.filters import Filters
 from evilengine.values.drawlist import DrawList
 from evilengine.values.image import Image
 
@@ -79,6 +82,8 @@ class Pipeline:
         self._programs: dict[tuple[int, bool], Program] = {}  # by how many pictures a draw call mixes, and facets
         self._quads = device.buffer()
         self._specks = device.buffer()
+        self._spare: Target | None = None  # of the same size, for what is done to a whole picture
+        self._filters = Filters(device)
         self._shapes = _Shapes(device)
         for pictures in MIXES[:2]:  # compiled now, so that no frame waits for it, and errors come at the start
             self._program(pictures, False)
@@ -123,10 +128,11 @@ class Pipeline:
         specks = self._batcher.specks
         if len(specks):
             self._specks.write(specks, len(specks))
-        for first, count, pictures, look in batches:
-            if pictures is None:
-                self._draw_specks(target, first, count, look)
+        for batch in batches:
+            if isinstance(batch[0], str):
+                target = self._interlude(target, *batch)
                 continue
+            first, count, pictures, look = batch
             self.device.draw(
                 target,
                 self._program(next(mix for mix in MIXES if mix >= len(pictures)), bool(look & 1)),
@@ -141,11 +147,28 @@ class Pipeline:
         self.draw_calls = len(batches)
         self.device.check()
 
-    def _draw_specks(self, target: Target, first: int, count: int, look: int) -> None:
-        disc, adds = look & 1, look >> 1
+    def _interlude(self, target: Target, kind: str, *what: Any) -> Target:
+        """What comes between the quads of a frame; on which target it goes on."""
+        if kind == "specks":
+            self._draw_specks(target, *what)
+            return target
+        if self._spare is None or self._spare.size != target.size:
+            if self._spare is not None:
+                self._spare.release()
+            self._spare = None
+            self._spare = self.device.target(target.size)
+        if kind == "blur":
+            done = self._filters.blur(target, self._spare, *what)
+        else:
+            done = self._filters.finish(target, self._spare, self._batcher.post, self._batcher.tones)
+        self.target, self._spare = done, target
+        return done
+
+    def _draw_specks(self, target: Target, first: int, count: int, disc: bool, adds: bool) -> None:
+        defines = {"DISC": int(disc), "ADDS": int(adds)}
         self.device.draw(
             target,
-            self.device.program(shaders.load("speck.vert"), shaders.load("speck.frag"), {"DISC": disc, "ADDS": adds}),
+            self.device.program(shaders.load("speck.vert"), shaders.load("speck.frag"), defines),
             instances=(self._specks, SPECK, first, count),
             textures=[],
             uniforms={"target_size": (float(target.size[0]), float(target.size[1]))},
@@ -176,11 +199,19 @@ class Pipeline:
 
     def release(self) -> None:
         """Give back everything that this made."""
-        for thing in (*self._pictures.values(), self._shapes.texture, self._quads, self._specks, self.target):
+        for thing in (
+            *self._pictures.values(),
+            self._shapes.texture,
+            self._quads,
+            self._specks,
+            self._spare,
+            self.target,
+        ):
             if thing is not None:
                 thing.release()
+        self._filters.release()
         self._pictures.clear()
-        self.target = None
+        self.target = self._spare = None
 
 
 def _to_colour(background: int) -> tuple[float, float, float, float]:

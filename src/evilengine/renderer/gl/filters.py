@@ -1,0 +1,118 @@
+"""What is done to a whole picture on a graphics device: depth blur, and the post pass. The same sums as in `soft`."""
+
+from __future__ import annotations
+
+from evilengine.renderer.gl import shaders
+from evilengine.renderer.gl.device import GraphicsDevice, Program, Target, Texture
+
+BLOOM_LEVELS = 6
+"""kBloomLevels of core/raster/pyramid.hpp."""
+
+TONES = 1024
+"""kTones of core/draw/post.hpp."""
+
+
+class Filters:
+    """The targets that a picture is halved into, and what is done with them."""
+
+    def __init__(self, device: GraphicsDevice) -> None:
+        self._device = device
+        self._levels: list[Target] = []  # a half, a quarter, ... of the picture; and one that is being mixed, for each
+        self._mixed: list[Target] = []
+        self._tones: Texture | None = None
+        self._table = b""
+
+    def blur(self, picture: Target, spare: Target, levels: int, share: float) -> Target:
+        """The picture out of focus, on `spare`."""
+        steps = self._descend(picture, levels)
+        return self._ascend(picture, spare, steps, [share if at == levels else 1.0 for at in range(1, steps + 1)])
+
+    def finish(self, picture: Target, spare: Target, post: dict[str, float], tones: bytes) -> Target:
+        """The picture after the post pass, on `spare`."""
+        if self._tones is None:
+            self._tones = self._device.texture("data", (TONES, 1))
+        if tones != self._table:
+            self._tones.write(tones, (0, 0, TONES, 1))
+            self._table = tones
+        glow: Texture = picture.texture
+        if post["bloom"] > 0.0:
+            glow = self._glow(picture, post["threshold"]).texture
+        self._device.fill(
+            spare,
+            self._program("post.frag", BLOOM=int(post["bloom"] > 0.0), GRAIN=int(post["grain"] > 0.0)),
+            textures=[("picture", picture.texture), ("glow", glow), ("tones", self._tones)],
+            uniforms={
+                "look": (post["bloom"], post["saturation"], post["vignette"], post["grain"]),
+                "seed": (float(int(post["seed"]) >> 16), float(int(post["seed"]) & 0xFFFF)),
+            },
+        )
+        return spare
+
+    def release(self) -> None:
+        """Give back everything that this made."""
+        for thing in (*self._levels, *self._mixed, self._tones):
+            if thing is not None:
+                thing.release()
+        self._levels, self._mixed, self._tones, self._table = [], [], None, b""
+
+    # ---- down and up again ----------------------------------------------------------------------------------------
+
+    def _glow(self, picture: Target, threshold: float) -> Target:
+        self._make_levels(picture, BLOOM_LEVELS)
+        first = self._levels[0]
+        self._device.fill(
+            first, self._program("halve.frag", BRIGHT=1), textures=[("picture", picture.texture)],
+            uniforms={"threshold": (threshold,)},
+        )  # fmt: skip
+        steps = 1
+        while steps < BLOOM_LEVELS and max(self._levels[steps - 1].size) > 2:
+            self._halve(self._levels[steps - 1], self._levels[steps])
+            steps += 1
+        below = self._levels[steps - 1]
+        for at in range(steps - 2, -1, -1):
+            below = self._double(self._levels[at], below, self._mixed[at])
+        return below
+
+    def _descend(self, picture: Target, levels: int) -> int:
+        self._make_levels(picture, levels)
+        above, steps = picture, 0
+        while steps < levels and max(above.size) > 2:
+            self._halve(above, self._levels[steps])
+            above = self._levels[steps]
+            steps += 1
+        return steps
+
+    def _ascend(self, picture: Target, spare: Target, steps: int, shares: list[float]) -> Target:
+        below = self._levels[steps - 1]
+        for at in range(steps - 2, -1, -1):
+            below = self._double(self._levels[at], below, self._mixed[at], shares[at + 1])
+        return self._double(picture, below, spare, shares[0])
+
+    def _halve(self, above: Target, to: Target) -> None:
+        self._device.fill(to, self._program("halve.frag", BRIGHT=0), textures=[("picture", above.texture)], uniforms={})
+
+    def _double(self, above: Target, below: Target, to: Target, share: float | None = None) -> Target:
+        """The smaller one takes the place of a share of the larger; None: its light is added."""
+        self._device.fill(
+            to,
+            self._program("double.frag", ADDS=int(share is None)),
+            textures=[("above", above.texture), ("below", below.texture)],
+            uniforms={"share": (share or 0.0,)},
+        )
+        return to
+
+    def _make_levels(self, picture: Target, count: int) -> None:
+        width, height = picture.size
+        if self._levels and self._levels[0].size != ((width + 1) // 2, (height + 1) // 2):
+            for target in (*self._levels, *self._mixed):
+                target.release()
+            self._levels, self._mixed = [], []
+        for _ in range(len(self._levels)):
+            width, height = (width + 1) // 2, (height + 1) // 2
+        while len(self._levels) < count:
+            width, height = (width + 1) // 2, (height + 1) // 2
+            self._levels.append(self._device.target((width, height)))
+            self._mixed.append(self._device.target((width, height)))
+
+    def _program(self, fragment: str, **defines: int) -> Program:
+        return self._device.program(shaders.load("screen.vert"), shaders.load(fragment), defines)
