@@ -23,7 +23,39 @@ def busy_world(seed=3):
     hung.add_force(evil.Spring(to=(0, 12), stiffness=30, rest_length=1))
     world.find("thing 4").add_force(evil.Spring(to=lift, stiffness=5))
     world.add_force(evil.Medium((-8, 0, 0, 2), linear=0.5))
+    machines(world)
     return world
+
+
+def machines(world):
+    """Joints of every kind, one of which breaks at once and one later, a soft thing, a character, and moving water."""
+    joints = evil.joints
+
+    def part(x, y, **more):
+        return world.add(evil.Circle(0.3), at=(20 + x, y), group=-1, **more)
+
+    hook = world.add(evil.Rectangle(12, 0.2), at=(25, 9), kind="static")
+    links = [part(0, 8 - 0.5 * i) for i in range(5)]
+    for a, b in zip([hook, *links], links, strict=False):
+        world.add_joint(joints.Hinge(a, b, at=b.position + (0, 0.25), limits=(-1, 1)))
+    wheels = part(2, 6), part(3, 6)
+    for wheel, speed in zip(wheels, (2, None), strict=True):
+        world.add_joint(joints.Hinge(hook, wheel, at=wheel.position, motor_speed=speed, max_torque=5))
+    world.add_joint(joints.Gear(*wheels, ratio=-2))
+    world.add_joint(joints.Pulley(part(4, 6), part(5, 6, density=2), (24, 8.5), (25, 8.5)))
+    world.add_joint(joints.Slider(hook, part(6, 7), axis=(0, 1), limits=(-2, 1), motor_speed=-1, max_force=20))
+    world.add_joint(joints.Weld(hook, part(7, 7), frequency=3))
+    world.add_joint(joints.Motor(hook, part(8, 7), offset=(3, -4), max_force=30))
+    world.add_joint(joints.Rope(hook, part(9, 7), length=3, breaking_force=1e-3))
+    world.add_joint(joints.Distance(hook, part(10, 7), frequency=2, limits=(1, 4)))
+    car = part(11, 7, density=3)
+    world.add_joint(joints.Wheel(car, part(11, 6), frequency=4))
+    world.add_joint(joints.Rope(hook, car, breaking_force=20))
+    evil.soft.blob(world, (25, 3), radius=0.8, pieces=8)
+    carrier = world.add(evil.Rectangle(4, 0.3), at=(25, 0), kind="kinematic", velocity=(0.1, 0))
+    world.add_force(evil.Medium((-2, 0, 2, 1.5), density=2, velocity=(0.3, 0), linear=1, body=carrier))
+    hero = world.add_character(at=(-3, 1), tag="hero", air_jumps=1)
+    hero.add_ladder((-2, 0, -1, 4))
 
 
 def play(world, steps, seed=5):
@@ -32,6 +64,10 @@ def play(world, steps, seed=5):
     for step in range(steps):
         if step % 17 == 5:
             rng.choice([body for body in world.bodies if body.kind == "dynamic"]).destroy()
+        for hero in world.characters if step % 11 == 0 else ():
+            hero.move(rng.choice([-1, 0, 1]))
+            hero.climb(rng.choice([0, 1]))
+            hero.jump() if rng.random() < 0.5 else hero.let_go()
         if step % 13 == 2:
             world.add(evil.Circle(rng.uniform(0.1, 0.5)), at=(rng.uniform(-5, 5), 8), tag=f"late {step}")
         world.step()
@@ -52,6 +88,36 @@ def test_restored_and_continued_equals_never_stopped_byte_for_byte(before):
     assert world.snapshot() == data
     play(world, 150, seed=9)
     assert world.snapshot() == twin.snapshot()
+
+
+def test_a_restored_world_has_the_joints_characters_and_media_that_were_there():
+    world = busy_world()
+    play(world, 30)
+    twin = evil.World.of(world.snapshot())
+
+    def described(world):
+        joints = [(type(j), j.a.slot, j.b.slot, j.force, j.torque, j.breaking_force) for j in world.joints]
+        heroes = [(h.body.slot, h.grounded, h.velocity, h.air_jumps, h.ladders) for h in world.characters]
+        media = [(f.density, f.velocity, f.body.slot) for f in world.forces if isinstance(f, evil.Medium) and f.body]
+        return joints, heroes, media
+
+    assert described(twin) == described(world)
+    assert len({kind for kind, *_ in described(world)[0]}) == 9, "every kind of joint"
+    assert all(described(world)), "something of everything"
+    assert all(joint.breaking_force in (None, 20) for joint in twin.joints), "the weakest has broken"
+
+
+def test_joints_that_break_after_a_restore_are_those_of_a_world_that_never_stopped():
+    world = busy_world()
+    twin = evil.World.of(world.snapshot())
+    told = []
+    for each in (world, twin):
+        broken = []
+        for _ in range(60):
+            each.step()
+            broken += [(each.steps, b.a.slot, b.b.slot, b.force, b.torque) for b in each.joints.broken]
+        told.append(broken)
+    assert told[0] == told[1] != []
 
 
 def test_events_after_a_restore_are_those_of_a_world_that_never_stopped():

@@ -31,6 +31,7 @@ def test_any_number_of_threads_gives_the_same_bits() -> None:
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="processes do not split here")
+@pytest.mark.skipif(os.environ.get("EVIL_SANITIZED") == "thread", reason="ThreadSanitizer's processes do not split")
 def test_a_process_that_forks_goes_on_stepping_on_both_sides() -> None:
     world = pile(threads=3)
     world.step(1 / 60)

@@ -8,7 +8,8 @@ python tools/dev.py format     format Python and C++
 python tools/dev.py lint       check format, style, types and stubs; changes nothing
 python tools/dev.py docs       build the documentation's site into site/, with warnings as errors
 python tools/dev.py release    source and wheel into dist/, and the wheel tried where there is no compiler
-python tools/dev.py sanitize   run the core's tests with AddressSanitizer and UndefinedBehaviorSanitizer
+python tools/dev.py sanitize   run the core's tests with AddressSanitizer and UndefinedBehaviorSanitizer; with --thread,
+                               those of threads with ThreadSanitizer
 python tools/dev.py fuzz       let libFuzzer play with the core, for a minute or the seconds that follow; needs clang
 """
 
@@ -25,6 +26,7 @@ import tarfile
 import tempfile
 import tomllib
 import zipfile
+from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -149,15 +151,47 @@ def fuzz(seconds: str = "60") -> None:
     )
 
 
+@dataclass(frozen=True)
+class Watch:
+    """What a sanitizer is built with, what must be loaded before Python, what it looks at, and how it is told to."""
+
+    folder: Path
+    flags: str
+    libraries: tuple[str, ...]
+    tests: tuple[str, ...]
+    environment: dict[str, str]
+
+
+MEMORY = Watch(
+    SANITIZED,
+    "address,undefined",
+    ("libasan.so", "libubsan.so"),
+    tuple(f"--ignore-glob=tests/test_{name}.py" for name in NOT_THE_CORE),
+    {
+        "PYTHONMALLOC": "malloc",  # every allocation of its own, so that a read past its end is seen
+        "ASAN_OPTIONS": "detect_leaks=0:strict_string_checks=1:detect_stack_use_after_return=1",  # Python leaks at exit
+        "UBSAN_OPTIONS": "print_stacktrace=1:halt_on_error=1",
+    },
+)
+THREADS = Watch(
+    ROOT / "build" / "threads",
+    "thread",
+    ("libtsan.so",),
+    ("tests/test_threads.py", "tests/test_other_threads.py", "tests/test_mixer.py"),
+    {"TSAN_OPTIONS": "halt_on_error=1:die_after_fork=0:second_deadlock_stack=1"},
+)
+
+
 def sanitize(*arguments: str) -> None:
     """A second copy of the package, beside the build, holds the watched module: the normal one stays as it is."""
+    watch, arguments = (THREADS, arguments[1:]) if arguments[:1] == ("--thread",) else (MEMORY, arguments)
     libraries = compile_core(
-        SANITIZED,
-        "-DEVIL_SANITIZE=ON",
+        watch.folder,
+        f"-DEVIL_SANITIZE={watch.flags}",
         "-DCMAKE_BUILD_TYPE=None",
         "-DCMAKE_CXX_FLAGS=-O1 -D_GLIBCXX_ASSERTIONS -fno-var-tracking",
     )
-    site = SANITIZED / "site"
+    site = watch.folder / "site"
     shutil.rmtree(site, ignore_errors=True)
     shutil.copytree(PACKAGE, site / "evilengine", ignore=shutil.ignore_patterns("*.so", "*.pyd", "__pycache__"))
     for library in libraries:
@@ -167,18 +201,17 @@ def sanitize(*arguments: str) -> None:
     compiler = os.environ.get("CXX", "c++")
     watchers = [
         subprocess.check_output([compiler, f"-print-file-name={name}"], text=True).strip()
-        for name in ("libasan.so", "libubsan.so", "libstdc++.so")
+        for name in (*watch.libraries, "libstdc++.so")
     ]
-    ignored = [f"--ignore-glob=tests/test_{name}.py" for name in NOT_THE_CORE]
+    named = any(not argument.startswith("-") for argument in arguments)
+    tests = () if named and watch is THREADS else watch.tests
     run(
         # What a sanitizer or an assertion says on its way out must not end in pytest's own file.
-        *(sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "--capture=sys", *ignored, *arguments),
+        *(sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "--capture=sys", *tests, *arguments),
         PYTHONPATH=str(site),
-        PYTHONMALLOC="malloc",  # every allocation of its own, so that a read past its end is seen
         LD_PRELOAD=" ".join(watchers),
-        ASAN_OPTIONS="detect_leaks=0:strict_string_checks=1:detect_stack_use_after_return=1",  # Python leaks at exit
-        UBSAN_OPTIONS="print_stacktrace=1:halt_on_error=1",
-        EVIL_SANITIZED="1",
+        EVIL_SANITIZED=watch.flags,
+        **watch.environment,
     )
 
 

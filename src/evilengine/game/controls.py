@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Container, Iterable
+from typing import Any
 
 from evilengine.interaction import Grabs, Interaction, axis
 from evilengine.values.callbacks import Callbacks
@@ -16,27 +17,36 @@ from evilengine.world.world import World
 Words = str | Iterable[str]
 
 
+class Steering:
+    """The keys for each thing that a character does."""
+
+    def __init__(self, left: Words, right: Words, up: Words, down: Words, jump: Words) -> None:
+        self.left, self.right, self.up, self.down, jumps = map(_words, (left, right, up, down, jump))
+        self.jump = tuple(key_name(name, "Game.drive", "jump") for name in jumps)
+        axis(Inputs(), self.left, self.right), axis(Inputs(), self.down, self.up)  # refuses names that are none
+
+
+def _words(words: Words) -> tuple[str, ...]:
+    return (words,) if isinstance(words, str) else tuple(words)
+
+
 class Driver:
     """Who is steered, and by which keys."""
 
-    def __init__(self, character: Character, left: Words, right: Words, up: Words, down: Words, jump: Words) -> None:
-        self._character = character
-        self._left, self._right, self._up, self._down = left, right, up, down
-        names = (jump,) if isinstance(jump, str) else tuple(jump)
-        self._jump = frozenset(key_name(name, "Game.drive", "jump") for name in names)
-        axis(Inputs(), left, right), axis(Inputs(), down, up)  # refuses names that are none
+    def __init__(self, character: Character, keys: Steering) -> None:
+        self._character, self._keys = character, keys
 
     def drive(self, inputs: Inputs) -> None:
         """Tell the character what the player wants in this step."""
-        hero = self._character
+        hero, keys = self._character, self._keys
         if not hero.alive:
             return
-        climb = axis(inputs, self._down, self._up)
-        hero.move(axis(inputs, self._left, self._right))
+        climb = axis(inputs, keys.down, keys.up)
+        hero.move(axis(inputs, keys.left, keys.right))
         hero.climb(climb)
-        if self._jump.intersection(inputs.pressed):
+        if any(name in inputs.pressed for name in keys.jump):
             hero.drop() if climb < 0 else hero.jump()
-        elif not any(inputs.keys[name] for name in self._jump):
+        elif not any(inputs.keys[name] for name in keys.jump):
             hero.let_go()
 
     def stop(self) -> None:
@@ -45,6 +55,20 @@ class Driver:
             self._character.move(0)
             self._character.climb(0)
             self._character.let_go()
+
+    def state(self) -> dict[str, Any] | None:
+        """What a saved game keeps of it."""
+        return {"body": self._character.body.slot, "keys": vars(self._keys)} if self._character.alive else None
+
+
+def read_driver(world: World, state: dict[str, Any] | None, bodies: Container[int]) -> Callable[[], Driver | None]:
+    """Read what `Driver.state` gave, and return what makes it once the world is restored."""
+    if state is None:
+        return lambda: None
+    slot, keys = state["body"], Steering(**state["keys"])
+    if slot not in bodies:
+        raise ValueError("keys that steer what is not there")
+    return lambda: Driver(Character(world._body(slot)), keys)
 
 
 class Controls:
@@ -105,7 +129,7 @@ class Controls:
         """
         if character is not None and not isinstance(character, Character):
             raise ArgumentTypeError(f"Game.drive: character={character!r} must be a Character, or None for nobody")
-        driver = None if character is None else Driver(character, left, right, up, down, jump)
+        driver = None if character is None else Driver(character, Steering(left, right, up, down, jump))
         if self._driver is not None:
             self._driver.stop()
         self._driver = driver

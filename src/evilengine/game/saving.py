@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 from evilengine import _core
 from evilengine.audio import saving as sounds
 from evilengine.game import scenes
+from evilengine.game.controls import read_driver
 from evilengine.level.rules import Rounds
 from evilengine.level.saving import LevelState, LevelWriter, reference
 from evilengine.save import Container, Slots
@@ -101,6 +102,7 @@ def to_bytes(game: Game, origin: str = "") -> bytes:
         "emitters": emitters,
         "timer": timers.state_of(game.timer, lambda call, where: name_of(call, f"game.timer, {where}")),
         "behaviours": behaviours.state_of(game.world, name_of),
+        "driver": None if game._driver is None else game._driver.state(),
         "interaction": game._interaction.state(),
         "grabs": game._grabs.state(),
         "audio": sounds.state_of(game.audio, reference),
@@ -181,7 +183,8 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
         return find(name)
 
     timer = timers.read(game.timer, state["timer"], find_for_timer)
-    on_bodies = behaviours.read(game.world, state["behaviours"], find, bodies)
+    in_world = behaviours.read(game.world, state["behaviours"], find, bodies, joints)
+    driver = read_driver(game.world, state.get("driver"), bodies)
     interaction = game._interaction.read(state["interaction"])
     heard = sounds.read(game.audio, state["audio"], bodies)
     grabs = game._grabs.read(state["grabs"], game.world, bodies)
@@ -198,7 +201,8 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
         worlds.become(game.world, world)
         scene.put()
         emitters.put(game.world._body)
-        on_bodies()
+        in_world()
+        game._driver = driver()
         timer()
         waiting = {event._order: event for event in game.timer.events}
         things: dict[str, Callable[[int], Any]] = {

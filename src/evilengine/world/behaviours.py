@@ -1,4 +1,4 @@
-"""What a saved game keeps of the functions on bodies, callbacks and motions, by the names that lead back to them."""
+"""What a saved game keeps of the functions on bodies and joints, by the names that lead back to them."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ if TYPE_CHECKING:
     from evilengine.world.world import World
 
 Named = Callable[[Callable[..., Any], str], Any]
-Found = Callable[[Any, int], Callable[..., Any]]
-"""A function by what `Named` called it and the slot of the body that it is on."""
+Found = Callable[[Any, int | None], Callable[..., Any]]
+"""A function by what `Named` called it and the slot of the body that it is on, if it is on one."""
 
 
 def state_of(world: World, name_of: Named) -> dict[str, Any]:
-    """The functions on bodies: callbacks, in their order, and motions. `name_of(function, where)` names them."""
+    """Callbacks of bodies and joints, in their order, and motions. `name_of(function, where)` names the functions."""
     rows = []
     for slot, body in sorted(world._handles.items()):
         events = {
@@ -32,8 +32,14 @@ def state_of(world: World, name_of: Named) -> dict[str, Any]:
         for slot, (body, motion) in world._motions.items()
         if body.alive
     ]
+    joints = [
+        [slot, [name_of(function, f"on_break of {joint!r}") for function in joint._broken._functions]]
+        for slot, joint in sorted(world._joints.items())
+        if joint._broken and joint.alive
+    ]
     return {
         "callbacks": rows,
+        "joints": joints,
         "updated": [body.slot for body in world._updated if body.alive and body._callbacks["on_update"]],
         "motions": motions,
     }
@@ -45,7 +51,9 @@ EVENTS = (
 )
 
 
-def read(world: World, state: dict[str, Any], find: Found, bodies: Container[int]) -> Callable[[], None]:
+def read(
+    world: World, state: dict[str, Any], find: Found, bodies: Container[int], joints: Container[int]
+) -> Callable[[], None]:
     """Read what `state_of` gave, and return what puts it in place once the world is restored."""
     rows = [(slot, {str(event): names for event, names in events.items()}) for slot, events in state["callbacks"]]
     motions = [(slot, find(name, slot)) for slot, name in state["motions"]]
@@ -54,6 +62,9 @@ def read(world: World, state: dict[str, Any], find: Found, bodies: Container[int
         raise ValueError("functions on bodies that are not there")
     if not all(event in EVENTS for _, events in rows for event in events):
         raise ValueError("functions for events that do not exist")
+    breaking = [(slot, [find(name, None) for name in names]) for slot, names in state.get("joints", [])]
+    if not all(slot in joints for slot, _ in breaking):
+        raise ValueError("functions on joints that are not there")
     functions = [
         (slot, event, [find(name, slot) for name in names]) for slot, events in rows for event, names in events.items()
     ]
@@ -69,6 +80,10 @@ def read(world: World, state: dict[str, Any], find: Found, bodies: Container[int
             getattr(owner, event)._functions.extend(found)
         order = {slot: place for place, slot in enumerate(updated)}
         world._updated.sort(key=lambda body: order.get(body.slot, len(order)))
+        for joint in world._joints.values():
+            joint._broken._functions.clear()
+        for slot, found in breaking:
+            world._joints[slot]._broken._functions.extend(found)
         world._motions = {slot: (world._body(slot), motion) for slot, motion in motions}
 
     return put
