@@ -8,7 +8,8 @@ std::uint64_t fingerprint(const NewShape& shape) {
     HashWriter print;
     visit(print, s.kind, s.closed, s.local, s.radius, s.mass, s.material.density, s.material.friction,
           s.material.restitution);
-    visit(print, shape.corners);
+    visit(print, shape.rings.corners);
+    visit(print, shape.rings.holes);
     return print.sum();
 }
 

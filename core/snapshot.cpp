@@ -79,6 +79,15 @@ void read_made(Reader& ar, SavedState& s) {
     visit_made(ar, s.joints, live(s.joint_taken));
 }
 
+void read_holes(Reader& ar, SavedState& s) {
+    for (std::size_t n = ar.count(); n > 0 && ar.ok; --n) {
+        std::uint32_t slot = 0;
+        ar.value(slot);
+        ar.ok = ar.ok && slot < s.shapes.holes.size() && s.shapes.holes[slot].empty();
+        if (ar.ok) visit(ar, s.shapes.holes[slot]);
+    }
+}
+
 void read_payload(Reader& ar, SavedState& s) {
     visit(ar, s.gravity, s.sleep_allowed, s.steps, s.time);
     visit(ar, s.bodies.next_serial, s.shapes.next_serial, s.forces.next_serial, s.joints.next_serial);
@@ -92,12 +101,16 @@ void read_payload(Reader& ar, SavedState& s) {
         });
     read_table(
         ar, s.shape_taken,
-        [&](std::size_t n) { s.shapes.rows.resize(n), s.shapes.corners.resize(n), s.shapes.parts.resize(n); },
+        [&](std::size_t n) {
+            s.shapes.rows.resize(n), s.shapes.corners.resize(n), s.shapes.parts.resize(n);
+            s.shapes.holes.resize(n);
+        },
         [&](std::uint32_t slot) {
             visit(ar, s.shapes.rows[slot]);
             visit(ar, s.shapes.corners[slot]);
             visit(ar, s.shapes.parts[slot]);
         });
+    read_holes(ar, s);
     read_table(
         ar, s.piece_taken, [&](std::size_t n) { s.shapes.pieces.resize(n); },
         [&](std::uint32_t slot) { visit(ar, s.shapes.pieces[slot].shape, s.shapes.pieces[slot].next); });
@@ -140,12 +153,17 @@ bool bodies_hold_together(const SavedState& s) {
 }
 
 bool polygon_holds_together(const SavedState& s, std::uint32_t i) {
-    if (s.shapes.corners[i].size() < 3 || s.shapes.corners[i].size() > kMaxCorners || s.shapes.parts[i].empty())
-        return false;
+    std::size_t first = 0; // of a ring
+    for (std::uint32_t hole : s.shapes.holes[i]) {
+        if (hole < first + 3) return false;
+        first = hole;
+    }
+    std::size_t corners = s.shapes.corners[i].size();
+    if (corners < first + 3 || corners > kMaxCorners || s.shapes.parts[i].empty()) return false;
     for (const Part& part : s.shapes.parts[i]) {
-        if (part.size() < 3 || part.size() > s.shapes.corners[i].size()) return false;
+        if (part.size() < 3 || part.size() > corners) return false;
         for (std::uint32_t corner : part)
-            if (corner >= s.shapes.corners[i].size()) return false;
+            if (corner >= corners) return false;
     }
     return true;
 }
@@ -159,6 +177,7 @@ bool line_holds_together(const SavedState& s, std::uint32_t i) {
 
 bool corners_hold_together(const SavedState& s, std::uint32_t i) {
     const Shape& shape = s.shapes.rows[i];
+    if (shape.kind != ShapeKind::polygon && !s.shapes.holes[i].empty()) return false;
     switch (shape.kind) {
     case ShapeKind::polygon:
         return polygon_holds_together(s, i);
@@ -285,6 +304,7 @@ void restore(World& w, SavedState& s) {
     s.bodies.traits.resize(s.bodies.slots.size());
     s.shapes.rows.resize(s.shapes.slots.size());
     s.shapes.corners.resize(s.shapes.slots.size());
+    s.shapes.holes.resize(s.shapes.slots.size());
     s.shapes.parts.resize(s.shapes.slots.size());
     s.shapes.pieces.resize(s.shapes.piece_slots.size());
     s.forces.rows.resize(s.forces.slots.size());

@@ -8,7 +8,7 @@
 
 namespace evil {
 
-inline constexpr std::uint32_t kSnapshotVersion = 2;
+inline constexpr std::uint32_t kSnapshotVersion = 3;
 
 std::size_t snapshot_size(const World& world);                        // bytes
 void write_snapshot(const World& world, std::span<std::uint8_t> out); // `out` of just that size

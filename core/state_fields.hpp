@@ -2,6 +2,7 @@
 // Which fields the State of a world has, for whoever writes, reads or sums it.
 #include "archive.hpp"
 #include "world.hpp"
+#include <algorithm>
 
 namespace evil {
 
@@ -105,6 +106,16 @@ inline void write_table(auto& ar, const Slots& slots, auto&& write_row) {
     }
 }
 
+inline void write_holes(auto& ar, const Shapes& shapes) { // few shapes have any
+    auto has_some = [&](const auto& holes) { return !holes.empty(); };
+    ar.count(static_cast<std::size_t>(std::ranges::count_if(shapes.holes, has_some)));
+    for (std::uint32_t slot = 0; slot < shapes.holes.size(); ++slot) {
+        if (shapes.holes[slot].empty()) continue;
+        ar.value(slot);
+        visit(ar, shapes.holes[slot]);
+    }
+}
+
 inline void write_bodies(auto& ar, const World& w) {
     write_table(ar, w.bodies.slots, [&](std::uint32_t slot) {
         visit(ar, w.bodies.rows[slot]);
@@ -116,6 +127,7 @@ inline void write_bodies(auto& ar, const World& w) {
         visit(ar, w.shapes.corners[slot]);
         visit(ar, w.shapes.parts[slot]);
     });
+    write_holes(ar, w.shapes);
     write_table(ar, w.shapes.piece_slots, [&](std::uint32_t slot) { // the rest of a piece follows from its shape
         visit(ar, w.shapes.pieces[slot].shape, w.shapes.pieces[slot].next);
     });

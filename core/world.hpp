@@ -78,7 +78,7 @@ struct World {
 enum class MassProblem { none, too_small, too_large };
 struct NewShape {
     Shape shape;
-    std::vector<Vec2> corners;
+    OwnedRings rings;
     std::vector<Part> parts;
 };
 template <class Reference> struct Added {

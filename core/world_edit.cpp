@@ -73,7 +73,7 @@ std::uint32_t attach_shape(World& world, std::uint32_t body, const NewShape& sha
     row.traits = world.bodies.traits[body];
     row.born = world.steps;
     row.made = fingerprint(shape);
-    std::uint32_t slot = add_shape_row(world.shapes, row, shape.corners, shape.parts);
+    std::uint32_t slot = add_shape_row(world.shapes, row, shape.rings, shape.parts);
     link_shape(world, body, slot);
     bake(world.shapes, slot, world.bodies.rows[body].scale);
     note_neighbours(world.shapes, world.bodies.rows[body], slot);

@@ -40,7 +40,7 @@ def rests(shape: ShapeDefinition, ground: ShapeDefinition, at: tuple[float, floa
 @pytest.mark.parametrize("shape", ROUND, ids=repr)
 def test_a_skin_weighs_what_its_fine_outline_weighs(shape: ShapeDefinition) -> None:
     body = evil.World().add(shape, density=2.0)
-    mass, inertia, centre = _core.polygon_mass(shape._spec.drawn, 2.0)
+    mass, inertia, centre = _core.polygon_mass(shape._spec.drawn[0], 2.0)
     assert body.mass == pytest.approx(mass, rel=1e-3)
     assert body.inertia == pytest.approx(inertia, rel=2e-3)
     assert tuple(body.centre) == pytest.approx(centre, abs=1e-3)
@@ -134,7 +134,7 @@ def test_points_and_rays_meet_the_skin(shape: ShapeDefinition) -> None:
     body = world.add(shape, kind="static", at=(3, -2), angle=0.4)
     cos, sin = math.cos(0.4), math.sin(0.4)
     centre = body.centre
-    for x, y in shape._spec.drawn:
+    for x, y in shape._spec.drawn[0]:
         edge = evil.Vec2(3 + cos * x - sin * y, -2 + sin * x + cos * y)
         out, inside = centre + 1.01 * (edge - centre), centre + 0.99 * (edge - centre)
         if isinstance(shape, evil.Polygon) and len(shape.corners) == 5:

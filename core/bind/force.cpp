@@ -11,16 +11,10 @@ Area area_of(const NewShape& spec, nb::handle at, double angle) {
     area.centre = {m.tx, m.ty};
     if (spec.shape.kind == ShapeKind::circle) area.radius = spec.shape.radius;
     bool skin = spec.shape.kind != ShapeKind::circle && spec.shape.radius > 0.0f;
-    if (spec.parts.size() > 1 && skin)
-        raise(ErrorKind::argument, "Medium: area cannot be a concave Polygon with rounding=; leave the rounding out");
-    if (skin) {
-        auto& corners = area.parts.emplace_back(rounded_outline(spec.corners, spec.shape.radius));
-        for (Vec2& corner : corners) corner = apply(m, corner);
-        return area;
-    }
-    for (const Part& part : spec.parts) {
+    OwnedRings rings = skin ? rounded_outline(spec.rings, spec.shape.radius) : spec.rings;
+    for (const Part& part : skin ? split_convex(rings) : spec.parts) {
         auto& corners = area.parts.emplace_back();
-        for (std::uint32_t corner : part) corners.push_back(apply(m, spec.corners[corner]));
+        for (std::uint32_t corner : part) corners.push_back(apply(m, rings.corners[corner]));
     }
     if (area.radius == 0.0f && area.parts.empty())
         raise(ErrorKind::argument,

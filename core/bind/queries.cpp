@@ -46,7 +46,7 @@ std::size_t rows_of(std::size_t n, bool n_single, std::size_t m, bool m_single, 
 struct Probe { // a shape that is asked with, in world coordinates
     Shapes shapes;
     std::uint32_t slot;
-    explicit Probe(const NewShape& spec) : slot(add_shape_row(shapes, spec.shape, spec.corners, spec.parts)) {}
+    explicit Probe(const NewShape& spec) : slot(add_shape_row(shapes, spec.shape, spec.rings, spec.parts)) {}
     void put(Vec2 at, double angle) {
         shapes.rows[slot].local = affine(Pose{at, rotation(angle)});
         bake(shapes, slot, {1, 1});

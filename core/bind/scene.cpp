@@ -87,11 +87,12 @@ Reference add_drawing(SceneBox& box, std::uint32_t mesh, BodyRef body, ShapeRef 
 
 BodyRef to_body(MaybeReference body) { return body ? BodyRef{std::get<0>(*body), std::get<1>(*body)} : BodyRef{}; }
 
-std::uint32_t mesh_of(SceneBox& box, const Shape& shape, std::span<const Vec2> corners, float speck,
-                      nb::handle texture_points, nb::handle colours) {
+std::uint32_t mesh_of(SceneBox& box, const Shape& shape, const Rings& rings, float speck, nb::handle texture_points,
+                      nb::handle colours) {
     Meshes& meshes = box.scene.meshes;
-    const std::vector<Vec2> outline = drawn_outline(shape, corners);
-    if (!outline.empty()) return meshes.take_polygon(to_vertices(outline, texture_points, colours));
+    const OwnedRings drawn = drawn_outline(shape, rings);
+    if (!drawn.corners.empty())
+        return meshes.take_polygon(to_vertices(drawn.corners, texture_points, colours), drawn.holes);
     return meshes.take_circle(shape.kind == ShapeKind::circle ? shape.radius : speck);
 }
 
@@ -100,7 +101,7 @@ Reference add_shape(SceneBox& box, const World& world, std::uint32_t slot, float
                     nb::object colours) {
     if (!world.shapes.slots.taken(slot)) raise(ErrorKind::stale_reference, "this Shape was destroyed");
     const Shape& shape = world.shapes.rows[slot];
-    const std::uint32_t mesh = mesh_of(box, shape, world.shapes.corners[slot], speck, texture_points, colours);
+    const std::uint32_t mesh = mesh_of(box, shape, rings_of(world.shapes, slot), speck, texture_points, colours);
     return add_drawing(box, mesh, {shape.body, world.bodies.slots.generation(shape.body)},
                        {slot, world.shapes.slots.generation(slot)});
 }
@@ -270,7 +271,7 @@ void register_scene(nb::module_& module) {
             "add_definition",
             [](SceneBox& box, const NewShape& spec, float speck, MaybeReference body, nb::object texture_points,
                nb::object colours) {
-                const std::uint32_t mesh = mesh_of(box, spec.shape, spec.corners, speck, texture_points, colours);
+                const std::uint32_t mesh = mesh_of(box, spec.shape, spec.rings, speck, texture_points, colours);
                 return add_drawing(box, mesh, to_body(body));
             },
             nb::arg("spec"), nb::arg("speck"), nb::arg("body") = nb::none(), nb::arg("texture_points") = nb::none(),

@@ -21,10 +21,16 @@ nb::tuple to_tuple(std::span<const Vec2> points) {
     return nb::tuple(list);
 }
 
+nb::tuple holes_of(const Rings& rings) {
+    nb::list list;
+    for (std::size_t i = 1; i < rings.count(); ++i) list.append(to_tuple(rings.ring(i)));
+    return nb::tuple(list);
+}
+
 constexpr const char* kOutline =
-    "In the body's frame: ('circle', centre, radius), ('polygon', corners), ('rounded', "
-    "corners of its core, radius), ('capsule', ends, radius), ('segment', ends), ('chain', "
-    "points, loop) or ('particle', centre).";
+    "In the body's frame: ('circle', centre, radius), ('polygon', corners, holes), ('rounded', corners of its core, "
+    "radius, its holes), ('capsule', ends, radius), ('segment', ends), ('chain', points, loop) or ('particle', "
+    "centre).";
 
 Anything outline(const ShapeHandle& h) {
     const Shape& shape = row(h);
@@ -36,12 +42,15 @@ Anything outline(const ShapeHandle& h) {
         return nb::borrow<Anything>(nb::make_tuple("particle", from_vec2({m.tx, m.ty})));
     std::vector<Vec2> points;
     for (Vec2 p : h.world->shapes.corners[h.ref.slot]) points.push_back(apply(m, p));
-    nb::tuple corners = to_tuple(points);
+    Rings rings(points, h.world->shapes.holes[h.ref.slot]);
+    nb::tuple corners = to_tuple(rings.ring(0));
     float radius = shape.radius * length({m.a, m.b});
     if (shape.kind == ShapeKind::chain) return nb::borrow<Anything>(nb::make_tuple("chain", corners, shape.closed));
     bool line = shape.kind == ShapeKind::line;
-    if (radius > 0.0f) return nb::borrow<Anything>(nb::make_tuple(line ? "capsule" : "rounded", corners, radius));
-    return nb::borrow<Anything>(nb::make_tuple(line ? "segment" : "polygon", corners));
+    if (line && radius > 0.0f) return nb::borrow<Anything>(nb::make_tuple("capsule", corners, radius));
+    if (line) return nb::borrow<Anything>(nb::make_tuple("segment", corners));
+    if (radius > 0.0f) return nb::borrow<Anything>(nb::make_tuple("rounded", corners, radius, holes_of(rings)));
+    return nb::borrow<Anything>(nb::make_tuple("polygon", corners, holes_of(rings)));
 }
 
 template <float Material::* Field>
@@ -80,23 +89,22 @@ void refuse_bad_path(std::span<const Vec2> points, bool closed, const char* owne
     }
 }
 
-NewShape polygon_spec(nb::handle corners, const char* owner, float rounding) {
+NewShape polygon_spec(nb::handle corners, const char* owner, float rounding, nb::handle holes) {
     NewShape s;
     s.shape.kind = ShapeKind::polygon;
-    s.corners = to_corners(corners, owner, "corners");
-    refuse_bad_polygon(s.corners, owner, "corners");
-    make_counter_clockwise(s.corners);
+    s.rings = to_rings(corners, holes, owner, "corners");
+    turn_rings(s.rings.corners, s.rings.holes);
     if (rounding > 0.0f) {
-        std::vector<Vec2> core = inset(s.corners, rounding);
-        if (core.empty()) {
-            std::string most = nb::cast<std::string>(nb::str("{:.4g}").attr("format")(largest_inset(s.corners)));
+        OwnedRings core = inset(s.rings, rounding);
+        if (core.corners.empty()) {
+            std::string most = nb::cast<std::string>(nb::str("{:.4g}").attr("format")(largest_inset(s.rings)));
             raise(ErrorKind::shape,
                   std::string(owner) + ": rounding is too large for these corners; at most about " + most + " fits");
         }
-        s.corners = std::move(core);
+        s.rings = std::move(core);
         s.shape.radius = rounding;
     }
-    s.parts = split_convex(s.corners);
+    s.parts = split_convex(s.rings);
     return s;
 }
 
@@ -104,8 +112,8 @@ NewShape line_spec(nb::handle a, nb::handle b, float radius, const char* owner) 
     NewShape s;
     s.shape.kind = ShapeKind::line;
     s.shape.radius = radius;
-    s.corners = {to_vec2(a, owner, "a"), to_vec2(b, owner, "b")};
-    refuse_bad_path(s.corners, false, owner);
+    s.rings.corners = {to_vec2(a, owner, "a"), to_vec2(b, owner, "b")};
+    refuse_bad_path(s.rings.corners, false, owner);
     return s;
 }
 
@@ -113,15 +121,15 @@ NewShape chain_spec(nb::handle points, bool loop, const char* owner) {
     NewShape s;
     s.shape.kind = ShapeKind::chain;
     s.shape.closed = loop;
-    s.corners = to_corners(points, owner, "points");
-    refuse_bad_path(s.corners, loop, owner);
+    s.rings.corners = to_corners(points, owner, "points");
+    refuse_bad_path(s.rings.corners, loop, owner);
     return s;
 }
 
 double area_of(const NewShape& s) {
     if (s.shape.kind == ShapeKind::circle) return circle_mass(s.shape.radius, 1.0f).mass;
     if (s.shape.kind == ShapeKind::particle || s.shape.kind == ShapeKind::chain) return 0.0;
-    return rounded_mass(s.corners, s.shape.radius, 1.0f).mass;
+    return rounded_mass(s.rings, s.shape.radius, 1.0f).mass;
 }
 
 void bind_definition(nb::module_& module) {
@@ -139,15 +147,27 @@ void bind_definition(nb::module_& module) {
         s.shape.mass = mass;
         return s;
     });
-    c.def_static("polygon", &polygon_spec, nb::arg("corners"), nb::arg("owner"), nb::arg("rounding") = 0.0f);
+    c.def_static("polygon", &polygon_spec, nb::arg("corners"), nb::arg("owner"), nb::arg("rounding") = 0.0f,
+                 nb::arg("holes") = nb::make_tuple());
     c.def_static("line", &line_spec);
     c.def_static("chain", &chain_spec);
-    c.def_prop_ro("corners", [](const NewShape& s) {
-        return nb::borrow<nb::typed<nb::tuple, PyVec2, nb::ellipsis>>(to_tuple(s.corners));
+    using Points = nb::typed<nb::tuple, PyVec2, nb::ellipsis>;
+    using Holes = nb::typed<nb::tuple, Points, nb::ellipsis>;
+    c.def_prop_ro("corners", [](const NewShape& s) { return nb::borrow<Points>(to_tuple(Rings(s.rings).ring(0))); });
+    c.def_prop_ro("holes", [](const NewShape& s) { return nb::borrow<Holes>(holes_of(s.rings)); });
+    c.def_prop_ro("parts", [](const NewShape& s) { // as the collider has them, skins left out
+        nb::list parts;
+        for (const Part& part : s.parts) {
+            std::vector<Vec2> points;
+            for (std::uint32_t corner : part) points.push_back(s.rings.corners[corner]);
+            parts.append(to_tuple(points));
+        }
+        return nb::borrow<Holes>(nb::tuple(parts));
     });
-    c.def_prop_ro("drawn", [](const NewShape& s) {
-        std::vector<Vec2> outline = drawn_outline(s.shape, s.corners);
-        return nb::borrow<nb::typed<nb::tuple, PyVec2, nb::ellipsis>>(to_tuple(outline));
+    c.def_prop_ro("drawn", [](const NewShape& s) { // its outline, and its holes'
+        OwnedRings rings = drawn_outline(s.shape, s.rings);
+        return nb::borrow<nb::typed<nb::tuple, Points, Holes>>(
+            nb::make_tuple(to_tuple(Rings(rings).ring(0)), holes_of(rings)));
     });
     c.def_prop_ro("area", &area_of);
 }

@@ -32,28 +32,45 @@ nb::list to_list(const Part& numbers) {
     return list;
 }
 
-nb::object polygon_problem(nb::handle points) {
-    std::vector<Vec2> corners = to_corners(points, "polygon_problem", "points");
-    PolygonProblem problem = check_polygon(corners);
-    return problem.fault == PolygonFault::none ? nb::none() : nb::cast(describe(problem, corners));
+OwnedRings read_rings(nb::handle points, nb::handle holes, const char* owner, const char* argument) {
+    OwnedRings rings{to_corners(points, owner, argument), {}};
+    Py_ssize_t count = !is_text(holes) && PySequence_Check(holes.ptr()) ? PySequence_Size(holes.ptr()) : -1;
+    PyErr_Clear();
+    if (count < 0)
+        raise(ErrorKind::argument_type, std::string(owner) +
+                                            ": holes must be a sequence, for each hole a sequence of " +
+                                            "points; got " + nb::type_name(holes.type()).c_str());
+    for (Py_ssize_t i = 0; i < count; ++i) {
+        nb::object hole = nb::steal(PySequence_GetItem(holes.ptr(), i));
+        if (!hole.is_valid()) throw nb::python_error();
+        std::string name = "holes[" + std::to_string(i) + "]";
+        std::vector<Vec2> corners = to_corners(hole, owner, name.c_str());
+        rings.holes.push_back(static_cast<std::uint32_t>(rings.corners.size()));
+        rings.corners.insert(rings.corners.end(), corners.begin(), corners.end());
+    }
+    return rings;
 }
 
-nb::list triangulate_points(nb::handle points) {
-    std::vector<Vec2> corners = to_corners(points, "triangulate", "points");
-    refuse_bad_polygon(corners, "triangulate", "points");
+nb::object polygon_problem(nb::handle points, nb::handle holes) {
+    OwnedRings rings = read_rings(points, holes, "polygon_problem", "points");
+    PolygonProblem problem = check_polygon(rings);
+    return problem.fault == PolygonFault::none ? nb::none() : nb::cast(describe(problem, rings));
+}
+
+nb::list triangulate_points(nb::handle points, nb::handle holes) {
+    OwnedRings rings = to_rings(points, holes, "triangulate", "points");
     Part indices;
-    triangulate(corners, indices);
+    triangulate(rings, indices);
     nb::list triangles;
     for (std::size_t i = 0; i < indices.size(); i += 3)
         triangles.append(nb::make_tuple(indices[i], indices[i + 1], indices[i + 2]));
     return triangles;
 }
 
-nb::list split_points(nb::handle points) {
-    std::vector<Vec2> corners = to_corners(points, "split_convex", "points");
-    refuse_bad_polygon(corners, "split_convex", "points");
+nb::list split_points(nb::handle points, nb::handle holes) {
+    OwnedRings rings = to_rings(points, holes, "split_convex", "points");
     nb::list parts;
-    for (const Part& part : split_convex(corners)) parts.append(to_list(part));
+    for (const Part& part : split_convex(rings)) parts.append(to_list(part));
     return parts;
 }
 
@@ -82,22 +99,30 @@ std::vector<Vec2> to_corners(nb::handle points, const char* owner, const char* a
     return corners;
 }
 
-void refuse_bad_polygon(std::span<const Vec2> corners, const char* owner, const char* argument) {
-    PolygonProblem problem = check_polygon(corners);
+OwnedRings to_rings(nb::handle points, nb::handle holes, const char* owner, const char* argument) {
+    OwnedRings rings = read_rings(points, holes, owner, argument);
+    refuse_bad_polygon(rings, owner, argument);
+    return rings;
+}
+
+void refuse_bad_polygon(const Rings& rings, const char* owner, const char* argument) {
+    PolygonProblem problem = check_polygon(rings);
     if (problem.fault != PolygonFault::none)
-        raise(ErrorKind::shape, std::string(owner) + ": " + argument + ": " + describe(problem, corners));
+        raise(ErrorKind::shape, std::string(owner) + ": " + argument + ": " + describe(problem, rings));
 }
 
 void register_shapes(nb::module_& module) {
-    module.def("polygon_problem", &polygon_problem, nb::arg("points").none(),
-               nb::sig("def polygon_problem(points: object) -> str | None"),
+    module.def("polygon_problem", &polygon_problem, nb::arg("points").none(), nb::arg("holes") = nb::make_tuple(),
+               nb::sig("def polygon_problem(points: object, holes: object = ()) -> str | None"),
                "What is wrong with a polygon, in words, or None when it is simple and of a size that works.");
-    module.def("triangulate", &triangulate_points, nb::arg("points").none(),
-               nb::sig("def triangulate(points: object) -> list[tuple[int, int, int]]"),
-               "Counter-clockwise triangles of corner numbers that fill a simple polygon, without new corners.");
     module.def(
-        "split_convex", &split_points, nb::arg("points").none(),
-        nb::sig("def split_convex(points: object) -> list[list[int]]"),
+        "triangulate", &triangulate_points, nb::arg("points").none(), nb::arg("holes") = nb::make_tuple(),
+        nb::sig("def triangulate(points: object, holes: object = ()) -> list[tuple[int, int, int]]"),
+        "Counter-clockwise triangles of corner numbers that fill a simple polygon, without new corners. Those of "
+        "holes are counted on from the outline's.");
+    module.def(
+        "split_convex", &split_points, nb::arg("points").none(), nb::arg("holes") = nb::make_tuple(),
+        nb::sig("def split_convex(points: object, holes: object = ()) -> list[list[int]]"),
         "Few convex, counter-clockwise parts of corner numbers that fill a simple polygon, without new corners.");
     module.def(
         "convex_hull",

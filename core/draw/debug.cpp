@@ -68,12 +68,15 @@ void outline_shape(const DebugFrame& f, std::uint32_t slot, const Affine& body_t
              colour); // shows how it turns
         return;
     }
-    const std::vector<Vec2> corners = drawn_outline(shape, f.world.shapes.corners[slot]);
+    const OwnedRings rings = drawn_outline(shape, rings_of(f.world.shapes, slot));
     Mesh mesh; // an outline needs no triangles
     mesh.first_vertex = static_cast<std::uint32_t>(list.vertices.size());
-    mesh.vertex_count = static_cast<std::uint32_t>(corners.size());
+    mesh.vertex_count = static_cast<std::uint32_t>(rings.corners.size());
     mesh.first_index = static_cast<std::uint32_t>(list.indices.size());
-    for (const Vec2 corner : corners) list.vertices.push_back({corner, {}, ~0u});
+    mesh.first_hole = static_cast<std::uint32_t>(list.holes.size());
+    mesh.hole_count = static_cast<std::uint32_t>(rings.holes.size());
+    for (const Vec2 corner : rings.corners) list.vertices.push_back({corner, {}, ~0u});
+    list.holes.insert(list.holes.end(), rings.holes.begin(), rings.holes.end());
     list.meshes.push_back(mesh);
     list.instances.push_back(
         {to_pixel, {}, static_cast<std::uint32_t>(list.meshes.size() - 1), kNoTexture, colour, width});

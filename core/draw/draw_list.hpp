@@ -19,13 +19,15 @@ struct Vertex { // local coordinates; texture coordinates 0..1 with v down, as i
 
 enum class MeshKind : std::uint8_t { polygon, circle };
 
-// A simple polygon (its corners in counter-clockwise order, and its triangles) or a circle round vertices[first_vertex].
+// A simple polygon (its corners in counter-clockwise order, those of its holes after them clockwise, and its triangles) or a
+// circle round vertices[first_vertex].
 struct Mesh {
     MeshKind kind = MeshKind::polygon;
     bool coloured_corners = false; // false: every corner is white, so a renderer can fill flat
     std::uint32_t first_vertex = 0, vertex_count = 0;
     std::uint32_t inside = 0;                       // vertices that follow those of the outline, for triangles alone
     std::uint32_t first_index = 0, index_count = 0; // triangles, relative to first_vertex; none for a circle
+    std::uint32_t first_hole = 0, hole_count = 0;   // where each hole begins, relative to first_vertex
     float radius = 0.0f;                            // circle; texture coordinates span its bounding square
 };
 
@@ -58,6 +60,7 @@ struct LayerStart { // where a layer's instances begin
 struct DrawList {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
+    std::vector<std::uint32_t> holes;
     std::vector<Mesh> meshes;
     std::vector<Instance> instances; // sorted: layer, then order of creation
     std::vector<LayerStart> layers;  // those that have instances, back to front
@@ -67,6 +70,7 @@ struct DrawList {
 inline void clear(DrawList& list) { // keeps the memory for the next frame
     list.vertices.clear();
     list.indices.clear();
+    list.holes.clear();
     list.meshes.clear();
     list.instances.clear();
     list.layers.clear();
@@ -77,11 +81,29 @@ inline void clear(DrawList& list) { // keeps the memory for the next frame
 inline bool is_sound(const DrawList& list, const Mesh& mesh) {
     const std::uint64_t vertices = std::uint64_t{mesh.first_vertex} + mesh.vertex_count + mesh.inside;
     const std::uint64_t indices = std::uint64_t{mesh.first_index} + mesh.index_count;
-    if (vertices > list.vertices.size() || indices > list.indices.size()) return false;
+    const std::uint64_t holes = std::uint64_t{mesh.first_hole} + mesh.hole_count;
+    if (vertices > list.vertices.size() || indices > list.indices.size() || holes > list.holes.size()) return false;
     if (mesh.vertex_count < (mesh.kind == MeshKind::circle ? 1u : 3u)) return false;
     for (std::uint64_t i = mesh.first_index; i < indices; ++i)
         if (list.indices[i] >= mesh.vertex_count + mesh.inside) return false;
+    std::uint32_t first = 0; // of a ring
+    for (std::uint64_t i = mesh.first_hole; i < holes; ++i) {
+        if (list.holes[i] <= first || list.holes[i] >= mesh.vertex_count) return false;
+        first = list.holes[i];
+    }
     return true;
+}
+
+// Calls f with the corners of each ring of a polygon: its outline, then its holes.
+template <class F> void each_ring(const DrawList& list, const Mesh& mesh, F&& f) {
+    const std::span<const Vertex> corners{list.vertices.data() + mesh.first_vertex, mesh.vertex_count};
+    std::uint32_t first = 0;
+    for (std::uint32_t i = 0; i < mesh.hole_count; ++i) {
+        const std::uint32_t end = list.holes[mesh.first_hole + i];
+        f(corners.subspan(first, end - first));
+        first = end;
+    }
+    f(corners.subspan(first));
 }
 
 // Adds a polygon and returns its mesh's index. `triangles` holds indices into `corners`.

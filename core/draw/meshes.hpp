@@ -11,9 +11,9 @@ inline constexpr std::uint32_t kSliced = 16, kSlicedInside = 4;
 
 class Meshes {
 public:
-    // Each takes a use of the mesh, which is made when it is new. `corners`: a polygon, counter-clockwise; one that is not
-    // simple gets no triangles and is filled where it winds round.
-    std::uint32_t take_polygon(std::span<const Vertex> corners);
+    // Each takes a use of the mesh, which is made when it is new. `corners`: a polygon, counter-clockwise, and the first of
+    // each of its holes; one that is not simple gets no triangles and is filled where it winds round.
+    std::uint32_t take_polygon(std::span<const Vertex> corners, std::span<const std::uint32_t> holes = {});
     std::uint32_t take_circle(float radius);
     // A rectangle of nine parts, each with its own part of a picture: kSliced corners, counter-clockwise round the outside
     // from the lower left, then the four inside.
@@ -22,16 +22,24 @@ public:
 
     const std::vector<Vertex>& vertices() const { return vertices_; }
     const std::vector<std::uint32_t>& indices() const { return indices_; }
+    const std::vector<std::uint32_t>& holes() const { return holes_; }
     const std::vector<Mesh>& meshes() const { return meshes_; } // a freed one has no vertices
+    std::span<const Vertex> corners_of(const Mesh& mesh) const {
+        return std::span(vertices_).subspan(mesh.first_vertex, mesh.vertex_count + mesh.inside);
+    }
+    std::span<const std::uint32_t> holes_of(const Mesh& mesh) const {
+        return std::span(holes_).subspan(mesh.first_hole, mesh.hole_count);
+    }
     std::uint32_t count() const { return slots_.count(); }
-    std::uint64_t revision() const { return revision_; } // changes whenever one of the three does
+    std::uint64_t revision() const { return revision_; } // changes whenever one of the four does
 
 private:
-    std::uint32_t take(const Mesh& kind, std::span<const Vertex> corners);
+    std::uint32_t take(const Mesh& kind, std::span<const Vertex> corners, std::span<const std::uint32_t> holes = {});
     void compact();
 
     std::vector<Vertex> vertices_;
     std::vector<std::uint32_t> indices_;
+    std::vector<std::uint32_t> holes_;
     std::vector<Mesh> meshes_;
     Slots slots_;
     std::vector<std::uint32_t> uses_;

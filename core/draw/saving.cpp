@@ -33,9 +33,15 @@ std::uint32_t number_of(std::uint32_t value, std::vector<std::uint32_t>& of, std
 }
 
 bool is_sound(const SavedMesh& mesh) {
-    if (mesh.sliced) return mesh.radius == 0.0f && mesh.corners.size() == kSliced;
-    if (mesh.corners.empty()) return mesh.radius > 0.0f;
-    return mesh.radius == 0.0f && mesh.corners.size() >= 3; // a chain's outline may cross itself; numbers are finite
+    if (mesh.corners.empty()) return mesh.radius > 0.0f && mesh.holes.empty() && !mesh.sliced;
+    if (mesh.sliced) return mesh.radius == 0.0f && mesh.corners.size() == kSliced && mesh.holes.empty();
+    std::size_t first = 0; // of a ring
+    for (const std::uint32_t hole : mesh.holes) {
+        if (hole < first + 3) return false;
+        first = hole;
+    }
+    // A chain's outline may cross itself; numbers are finite.
+    return mesh.radius == 0.0f && mesh.corners.size() >= first + 3;
 }
 
 bool hold_together(const SavedScene& s) {
@@ -83,6 +89,8 @@ SceneBytes snapshot(const Scene& scene, const World& world) {
         ar.value(mesh.inside > 0);
         ar.count(corners);
         for (std::uint32_t i = 0; i < corners; ++i) fields(ar, scene.meshes.vertices()[mesh.first_vertex + i]);
+        ar.count(mesh.hole_count);
+        for (const std::uint32_t hole : scene.meshes.holes_of(mesh)) ar.value(hole);
     }
     ar.value(static_cast<std::uint32_t>(result.textures.size()));
     ar.value(static_cast<std::uint32_t>(result.clips.size()));
@@ -106,6 +114,7 @@ std::shared_ptr<const SavedScene> read_scene(std::span<const std::uint8_t> bytes
         ar.value(mesh.radius);
         ar.value(mesh.sliced);
         for (std::size_t corners = ar.count(); corners > 0 && ar.ok; --corners) fields(ar, mesh.corners.emplace_back());
+        for (std::size_t holes = ar.count(); holes > 0 && ar.ok; --holes) ar.value(mesh.holes.emplace_back());
     }
     ar.value(saved->textures);
     ar.value(saved->clips);
@@ -151,7 +160,7 @@ bool restore(Scene& scene, const SavedScene& saved, const World& world, std::spa
         const SavedMesh& mesh = saved.meshes[d.mesh];
         d.mesh = mesh.sliced            ? scene.meshes.take_sliced(mesh.corners)
                  : mesh.corners.empty() ? scene.meshes.take_circle(mesh.radius)
-                                        : scene.meshes.take_polygon(mesh.corners);
+                                        : scene.meshes.take_polygon(mesh.corners, mesh.holes);
         scene.order.push_back({slot, scene.slots.generation(slot)});
     }
     scene.sorted = false;

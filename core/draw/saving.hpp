@@ -18,6 +18,7 @@ struct SavedMesh {
     float radius = 0.0f; // of a circle; a polygon has corners
     std::vector<Vertex> corners;
     bool sliced = false;
+    std::vector<std::uint32_t> holes; // the first corner of each
 };
 
 struct SavedScene {

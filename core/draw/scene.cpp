@@ -101,11 +101,13 @@ void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affin
     if (scene.copied_meshes != scene.meshes.revision()) {
         out.vertices = scene.meshes.vertices();
         out.indices = scene.meshes.indices();
+        out.holes = scene.meshes.holes();
         out.meshes = scene.meshes.meshes();
         scene.copied_meshes = scene.meshes.revision();
     }
     out.vertices.resize(scene.meshes.vertices().size()); // what an overlay added last frame goes
     out.indices.resize(scene.meshes.indices().size());
+    out.holes.resize(scene.meshes.holes().size());
     out.meshes.resize(scene.meshes.meshes().size());
     out.instances.clear();
     out.layers.clear();

@@ -247,8 +247,7 @@ void put_loops(Context& context, const Look& look) {
 void put_outline(Context& context, const Look& look, const draw::Instance& instance) {
     const draw::Mesh& mesh = context.list.meshes[instance.mesh];
     raster::clear(context.scratch.loops);
-    raster::add_mesh(context.scratch.loops, {context.list.vertices.data() + mesh.first_vertex, mesh.vertex_count}, mesh,
-                     instance.to_pixel, instance.outline);
+    raster::add_mesh(context.scratch.loops, context.list, mesh, instance.to_pixel, instance.outline);
     put_loops(context, look);
 }
 
@@ -273,21 +272,22 @@ void put_polygon(Context& context, Look look, const draw::Instance& instance, co
     put(context, look, Cover::edges);
 }
 
-// A polygon's stroke, as long as it is two plain loops. The shader knows that far inside there is nothing of it.
+// A polygon's stroke, as long as it is two plain loops for each of its rings. The shader knows that far inside there is nothing of it.
 void put_stroke(Context& context, Look look, const draw::Instance& instance, const Shape& shape) {
     const draw::Mesh& mesh = context.list.meshes[instance.mesh];
     const Affine& m = instance.to_pixel;
     Scratch& scratch = context.scratch;
-    scratch.path.clear();
-    for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
-        const Vec2 at = context.list.vertices[mesh.first_vertex + i].at;
-        scratch.path.push_back({double{m.a} * at.x + double{m.c} * at.y + double{m.tx},
-                                double{m.b} * at.x + double{m.d} * at.y + double{m.ty}});
-    }
     raster::clear(scratch.loops);
     const double half = 0.5 * instance.outline;
-    if (!make_plain_stroke(scratch.loops, scratch.path, half, scratch.other))
-        return put_outline(context, look, instance);
+    bool plain = true;
+    draw::each_ring(context.list, mesh, [&](std::span<const draw::Vertex> ring) {
+        scratch.path.clear();
+        for (const auto& [at, uv, colour] : ring)
+            scratch.path.push_back({double{m.a} * at.x + double{m.c} * at.y + double{m.tx},
+                                    double{m.b} * at.x + double{m.d} * at.y + double{m.ty}});
+        plain = plain && add_plain_stroke(scratch.loops, scratch.path, half, scratch.other);
+    });
+    if (!plain) return put_outline(context, look, instance);
     if (const double area = std::fabs(turn_of(m)); area > 0) {
         const double x = half * (std::fabs(m.d) + std::fabs(m.c)) / area;
         const double y = half * (std::fabs(m.b) + std::fabs(m.a)) / area;

@@ -93,8 +93,8 @@ bool covers(std::span<const Edge> edges, const Bounds& part) {
            std::max(e.y0, e.y1) >= part.bottom;
 }
 
-bool make_plain_stroke(raster::Loops& loops, std::span<const raster::Point> path, double half,
-                       std::vector<raster::Point>& other) {
+bool add_plain_stroke(raster::Loops& loops, std::span<const raster::Point> path, double half,
+                      std::vector<raster::Point>& other) {
     const std::size_t count = path.size();
     if (count < 3) return false;
     other.clear();
@@ -105,10 +105,7 @@ bool make_plain_stroke(raster::Loops& loops, std::span<const raster::Point> path
         const raster::Point n0{-d0.y, d0.x}, n1{-d1.y, d1.x};
         const double one_plus_cos = 1.0 + dot(d0, d1), turn = d0.x * d1.y - d0.y * d1.x;
         const bool meets = half * std::fabs(turn) / one_plus_cos <= 0.5 * std::min(l0, l1);
-        if (!(l0 > kTiny && l1 > kTiny && one_plus_cos * kMitreLimit * kMitreLimit >= 2.0 && meets)) {
-            loops.points.clear();
-            return false;
-        }
+        if (!(l0 > kTiny && l1 > kTiny && one_plus_cos * kMitreLimit * kMitreLimit >= 2.0 && meets)) return false;
         const raster::Point mitre = (half / one_plus_cos) * (n0 + n1);
         loops.points.push_back(at + mitre);
         other.push_back(at - mitre);

@@ -33,10 +33,9 @@ void cut(std::span<const Edge> edges, const Bounds& part, std::vector<Edge>& out
 // Whether edges that `cut` gave cover every pixel of the part.
 bool covers(std::span<const Edge> edges, const Bounds& part);
 
-// The stroke of `half` the width on either side of a closed path, as its outer and its inner loop, in place of what `loops`
-// holds. False, and no loops, if it is not that simple: a corner so sharp that it is rounded, an edge too short for its
-// corners. `other` is scratch.
-bool make_plain_stroke(raster::Loops& loops, std::span<const raster::Point> path, double half,
-                       std::vector<raster::Point>& other);
+// Adds the stroke of `half` the width on either side of a closed path, as its outer and its inner loop. False if it is not
+// that simple: a corner so sharp that it is rounded, an edge too short for its corners. `other` is scratch.
+bool add_plain_stroke(raster::Loops& loops, std::span<const raster::Point> path, double half,
+                      std::vector<raster::Point>& other);
 
 } // namespace evil::gpu

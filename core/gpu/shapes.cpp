@@ -20,7 +20,7 @@ bool same_meshes(std::span<const Mesh> a, std::span<const Mesh> b) { // Mesh has
     return std::ranges::equal(a, b, [](const Mesh& p, const Mesh& q) {
         return p.kind == q.kind && p.coloured_corners == q.coloured_corners && p.first_vertex == q.first_vertex &&
                p.vertex_count == q.vertex_count && p.inside == q.inside && p.first_index == q.first_index &&
-               p.index_count == q.index_count && p.radius == q.radius;
+               p.index_count == q.index_count && p.first_hole == q.first_hole && p.hole_count == q.hole_count && p.radius == q.radius;
     });
 }
 
@@ -58,10 +58,12 @@ bool crosses(Vec2 a, Vec2 b, const Rect& box) {
     return cut(a.x, double{b.x} - a.x, box.left, box.right) && cut(a.y, double{b.y} - a.y, box.low, box.high);
 }
 
-bool is_inside(std::span<const Vertex> corners, Vec2 p) { // even-odd, along a ray to the right
+using Edges = std::span<const Texel>; // x0 y0 x1 y1
+
+bool is_inside(Edges edges, Vec2 p) { // even-odd, along a ray to the right
     bool inside = false;
-    for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
-        const Vec2 a = corners[j].at, b = corners[i].at;
+    for (const Texel& edge : edges) {
+        const Vec2 a{edge.x, edge.y}, b{edge.z, edge.w};
         if ((a.y > p.y) == (b.y > p.y)) continue;
         if (p.x < a.x + (double{p.y} - a.y) / (double{b.y} - a.y) * (double{b.x} - a.x)) inside = !inside;
     }
@@ -70,17 +72,16 @@ bool is_inside(std::span<const Vertex> corners, Vec2 p) { // even-odd, along a r
 
 // The largest box round `centre`, shaped as the bounds are, that lies within the polygon; by halving. It need not be the
 // largest there is: it only spares the shader the edges of pixels that are surely covered.
-Rect box_round(std::span<const Vertex> corners, const Rect& bounds, Vec2 centre) {
-    if (!is_inside(corners, centre)) return {};
+Rect box_round(Edges edges, const Rect& bounds, Vec2 centre) {
+    if (!is_inside(edges, centre)) return {};
     const float width = bounds.right - bounds.left, height = bounds.high - bounds.low;
     auto box = [&](float part) {
         const float x = 0.5f * part * width, y = 0.5f * part * height;
         return Rect{centre.x - x, centre.y - y, centre.x + x, centre.y + y};
     };
     auto fits = [&](const Rect& candidate) {
-        for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++)
-            if (crosses(corners[j].at, corners[i].at, candidate)) return false;
-        return true;
+        return std::ranges::none_of(
+            edges, [&](const Texel& edge) { return crosses({edge.x, edge.y}, {edge.z, edge.w}, candidate); });
     };
     if (fits(box(1.0f))) return box(1.0f);
     float good = 0.0f, bad = 1.0f;
@@ -92,10 +93,10 @@ Rect box_round(std::span<const Vertex> corners, const Rect& bounds, Vec2 centre)
 }
 
 // A polygon that is wound twice round something, or crosses itself, has no box: even-odd would not do for it.
-Rect inner_box(std::span<const Vertex> corners, std::span<const Vertex> vertices,
-               std::span<const std::uint32_t> triangles, const Rect& bounds) {
+Rect inner_box(Edges edges, std::span<const Vertex> vertices, std::span<const std::uint32_t> triangles,
+               const Rect& bounds) {
     if (triangles.empty()) return {};
-    Rect best = box_round(corners, bounds, {0.5f * (bounds.left + bounds.right), 0.5f * (bounds.low + bounds.high)});
+    Rect best = box_round(edges, bounds, {0.5f * (bounds.left + bounds.right), 0.5f * (bounds.low + bounds.high)});
     if (best.right - best.left >= 0.5f * (bounds.right - bounds.left)) return best;
     double largest = 0;
     Vec2 middle;
@@ -105,7 +106,7 @@ Rect inner_box(std::span<const Vertex> corners, std::span<const Vertex> vertices
             std::fabs((double{b.x} - a.x) * (double{c.y} - a.y) - (double{b.y} - a.y) * (double{c.x} - a.x));
         if (area > largest) largest = area, middle = (1.0f / 3.0f) * (a + b + c);
     }
-    const Rect other = box_round(corners, bounds, middle);
+    const Rect other = box_round(edges, bounds, middle);
     return other.right - other.left > best.right - best.left ? other : best;
 }
 
@@ -225,20 +226,23 @@ void add_facets(Shapes& shapes, Shape& shape, const Mesh& mesh, std::span<const 
             add_facet(shapes.texels, facet), ++shape.facets;
 }
 
-Shape polygon(Shapes& shapes, const Mesh& mesh, std::span<const Vertex> vertices,
-              std::span<const std::uint32_t> triangles) {
-    const std::span<const Vertex> corners = vertices.first(mesh.vertex_count); // of the outline
+Shape polygon(Shapes& shapes, const draw::DrawList& list, const Mesh& mesh) {
+    const std::span<const Vertex> vertices{list.vertices.data() + mesh.first_vertex, mesh.vertex_count + mesh.inside};
+    const std::span<const std::uint32_t> triangles{list.indices.data() + mesh.first_index, mesh.index_count};
+    const std::span<const Vertex> corners = vertices.first(mesh.vertex_count); // of the outline and the holes
     Shape shape;
     shape.first_edge = static_cast<std::uint32_t>(shapes.texels.size());
     shape.edges = static_cast<std::uint32_t>(corners.size());
     Vec2 low = corners[0].at, high = low;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Vec2 a = corners[i].at, b = corners[i + 1 == corners.size() ? 0 : i + 1].at;
-        add(shapes.texels, a.x, a.y, b.x, b.y);
-        low = min(low, a), high = max(high, a);
-    }
+    draw::each_ring(list, mesh, [&](std::span<const Vertex> ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Vec2 a = ring[i].at, b = ring[i + 1 == ring.size() ? 0 : i + 1].at;
+            add(shapes.texels, a.x, a.y, b.x, b.y);
+            low = min(low, a), high = max(high, a);
+        }
+    });
     shape.bounds = {low.x, low.y, high.x, high.y};
-    shape.inner = inner_box(corners, vertices, triangles, shape.bounds);
+    shape.inner = inner_box(Edges(shapes.texels).subspan(shape.first_edge), vertices, triangles, shape.bounds);
     add_facets(shapes, shape, mesh, vertices, triangles);
     return shape;
 }
@@ -257,9 +261,10 @@ Shape circle() {
 
 void update(Shapes& shapes, const draw::DrawList& list) {
     if (shapes.revision > 0 && same_meshes(shapes.meshes, list.meshes) && same(shapes.vertices, list.vertices) &&
-        same(shapes.indices, list.indices))
+        same(shapes.indices, list.indices) && same(shapes.holes, list.holes))
         return;
-    shapes.vertices = list.vertices, shapes.indices = list.indices, shapes.meshes = list.meshes;
+    shapes.vertices = list.vertices, shapes.indices = list.indices, shapes.holes = list.holes;
+    shapes.meshes = list.meshes;
     shapes.texels.clear(), shapes.shapes.clear(), shapes.circles.clear();
     for (const int chords : kChords) shapes.circles.push_back(unit_circle(shapes.texels, chords));
     for (const Mesh& mesh : list.meshes) {
@@ -269,9 +274,7 @@ void update(Shapes& shapes, const draw::DrawList& list) {
         else if (mesh.kind == draw::MeshKind::circle)
             shapes.shapes.push_back(circle());
         else
-            shapes.shapes.push_back(polygon(shapes, mesh,
-                                            {list.vertices.data() + mesh.first_vertex, mesh.vertex_count + mesh.inside},
-                                            {list.indices.data() + mesh.first_index, mesh.index_count}));
+            shapes.shapes.push_back(polygon(shapes, list, mesh));
     }
     shapes.texels.resize((shapes.texels.size() + kRow - 1) / kRow * kRow);
     ++shapes.revision;

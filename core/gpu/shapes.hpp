@@ -30,7 +30,7 @@ struct Shapes {
     std::uint64_t revision = 0;  // changes when `texels` do
 
     std::vector<draw::Vertex> vertices; // what the above was made from
-    std::vector<std::uint32_t> indices;
+    std::vector<std::uint32_t> indices, holes;
     std::vector<draw::Mesh> meshes;
 };
 

@@ -170,22 +170,27 @@ void clear(Loops& loops) {
     loops.ends.clear();
 }
 
-void add_mesh(Loops& loops, std::span<const draw::Vertex> corners, const draw::Mesh& mesh, const Affine& to_pixel,
-              double width) {
+void add_mesh(Loops& loops, const draw::DrawList& list, const draw::Mesh& mesh, const Affine& to_pixel, double width) {
     const bool stroked = width > 0;
+    std::vector<Point>& out = stroked ? loops.path : loops.points;
+    auto end_ring = [&] {
+        if (stroked)
+            add_stroke(loops, width);
+        else
+            end_loop(loops);
+    };
     if (mesh.kind == draw::MeshKind::circle) {
-        if (stroked && add_ring(loops, to_pixel, corners[0].at, mesh.radius, width)) return;
+        const Vec2 centre = list.vertices[mesh.first_vertex].at;
+        if (stroked && add_ring(loops, to_pixel, centre, mesh.radius, width)) return;
         loops.path.clear();
-        circle_path(loops, stroked ? loops.path : loops.points, to_pixel, corners[0].at, mesh.radius);
-    } else {
-        loops.path.clear();
-        std::vector<Point>& out = stroked ? loops.path : loops.points;
-        for (const draw::Vertex& corner : corners) out.push_back(to_pixels(to_pixel, corner.at.x, corner.at.y));
+        circle_path(loops, out, to_pixel, centre, mesh.radius);
+        return end_ring();
     }
-    if (stroked)
-        add_stroke(loops, width);
-    else
-        end_loop(loops);
+    draw::each_ring(list, mesh, [&](std::span<const draw::Vertex> ring) {
+        loops.path.clear();
+        for (const draw::Vertex& corner : ring) out.push_back(to_pixels(to_pixel, corner.at.x, corner.at.y));
+        end_ring();
+    });
 }
 
 } // namespace evil::raster

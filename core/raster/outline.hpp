@@ -19,7 +19,6 @@ struct Loops { // scratch
 void clear(Loops& loops);
 
 // The outline of a mesh under `to_pixel`, or its stroke of `width` pixels if that is more than zero.
-void add_mesh(Loops& loops, std::span<const draw::Vertex> corners, const draw::Mesh& mesh, const Affine& to_pixel,
-              double width);
+void add_mesh(Loops& loops, const draw::DrawList& list, const draw::Mesh& mesh, const Affine& to_pixel, double width);
 
 } // namespace evil::raster

@@ -109,8 +109,7 @@ void draw_instance(const draw::DrawList& list, const draw::Instance& instance, c
     const draw::Mesh& mesh = list.meshes[instance.mesh];
     if (instance.tint >> 24 == 0 || std::isnan(instance.outline)) return;
     clear(scratch.loops);
-    add_mesh(scratch.loops, {list.vertices.data() + mesh.first_vertex, mesh.vertex_count}, mesh, instance.to_pixel,
-             instance.outline);
+    add_mesh(scratch.loops, list, mesh, instance.to_pixel, instance.outline);
     const Box box = bounds_of(scratch.loops.points, target);
     if (box.left >= box.right || box.top >= box.bottom) return;
 

@@ -1,28 +1,28 @@
 #pragma once
 // Polygons: what makes one usable, its size and mass, triangles for drawing it and convex parts for colliding it (SPEC G1, C1).
-// A polygon is its corners in order, without repeating the first; "simple": its edges meet only where neighbours join.
-#include "math/vec2.hpp"
-#include <cstddef>
-#include <cstdint>
-#include <span>
+// A polygon is its corners in order, without repeating the first; "simple": its edges meet only where neighbours join. It
+// may have holes, which touch neither the outline nor each other.
+#include "shapes/rings.hpp"
 #include <string>
-#include <vector>
 
 namespace evil {
 
-inline constexpr std::size_t kMaxCorners = 4096; // time grows with the square of it at worst; tens of milliseconds then
-inline constexpr float kMaxCoordinate = 1e5f;    // metres; beyond, float steps exceed a centimetre and contacts rattle
-inline constexpr float kMinFeature = 1e-5f; // metres between corners, or mean thickness; below, normals mean nothing
+inline constexpr std::size_t kMaxCorners =
+    4096; // the holes' included; time grows with the square of it at worst; tens of milliseconds then
+inline constexpr float kMaxCoordinate = 1e5f; // metres; beyond, float steps exceed a centimetre and contacts rattle
+inline constexpr float kMinFeature = 1e-5f;   // metres between corners, or mean thickness; below, normals mean nothing
 
 enum class PolygonFault : std::uint8_t {
     none,
-    too_few_corners,
+    too_few_corners, // of ring `first`
     too_many_corners,
     not_finite,      // corner `first`
     too_large,       // corner `first` beyond kMaxCoordinate
     repeated_corner, // corners `first` and `second` nearer than kMinFeature
     crossing_edges,  // the edges that start at corners `first` and `second` cross, touch or overlap
-    zero_area,
+    zero_area,       // of ring `first`
+    hole_outside,    // ring `first` lies outside the outline
+    hole_in_a_hole,  // ring `first` lies within ring `second`
 };
 struct PolygonProblem {
     PolygonFault fault = PolygonFault::none;
@@ -31,15 +31,16 @@ struct PolygonProblem {
 };
 
 // The first thing wrong with a polygon, or `none`: then it is simple, and everything below works on it. Exact arithmetic
-// decides, so corners that lie straight between their neighbours are welcome and crossings cannot slip through.
-PolygonProblem check_polygon(std::span<const Vec2> corners);
+// decides, so corners that lie straight between their neighbours are welcome and crossings cannot slip through. Rings may
+// run either way round.
+PolygonProblem check_polygon(const Rings& rings);
 
 // The problem in words, to follow a name and a colon: "corners 0 and 2 are at the same place, ...".
-std::string describe(const PolygonProblem& problem, std::span<const Vec2> corners);
+std::string describe(const PolygonProblem& problem, const Rings& rings);
 
-double signed_area(std::span<const Vec2> corners) noexcept; // square metres; positive when counter-clockwise
-void make_counter_clockwise(
-    std::span<Vec2> corners) noexcept; // reverses a clockwise one, keeping its first corner first
+double signed_area(std::span<const Vec2> ring) noexcept;    // square metres; positive when counter-clockwise
+void make_counter_clockwise(std::span<Vec2> ring) noexcept; // reverses a clockwise one, keeping its first corner first
+void turn_rings(std::span<Vec2> corners, std::span<const std::uint32_t> holes) noexcept; // the way that Rings run
 bool is_convex(
     std::span<const Vec2> corners) noexcept; // of a simple, counter-clockwise polygon; straight corners count as convex
 
@@ -51,13 +52,14 @@ struct MassProperties {
 MassProperties circle_mass(float radius, float density) noexcept;                   // round the origin
 MassProperties polygon_mass(std::span<const Vec2> corners, float density) noexcept; // simple, either way round
 
-// Triangles of a simple polygon as corner numbers, three each, counter-clockwise, n - 2 of them, without new corners.
-// A polygon that is not simple gives triangles without meaning or, with false, none; it never loops for ever.
-bool triangulate(std::span<const Vec2> corners, std::vector<std::uint32_t>& indices);
+// Triangles of a simple polygon as corner numbers, three each, counter-clockwise, without new corners; n - 2 of them, and
+// two more for each hole. Rings may run either way round. A polygon that is not simple gives triangles without meaning or,
+// with false, none; it never loops for ever.
+bool triangulate(const Rings& rings, std::vector<std::uint32_t>& indices);
 
 // Convex parts of a simple polygon as corner numbers, counter-clockwise, without new corners; at most 2r + 1 for r reflex
-// corners. A part leaves out corners at which it runs straight. Empty when `triangulate` gives none.
-std::vector<std::vector<std::uint32_t>> split_convex(std::span<const Vec2> corners);
+// corners, fewer with holes. A part leaves out corners at which it runs straight. Empty when `triangulate` gives none.
+std::vector<std::vector<std::uint32_t>> split_convex(const Rings& rings);
 
 // Corners of the convex hull of any finite points, counter-clockwise from the leftmost; straight ones left out. One or two
 // points when all lie in one place or line.

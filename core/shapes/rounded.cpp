@@ -53,55 +53,63 @@ Vec2d moved_in(Vec2d before, Vec2d at, Vec2d after, double radius) {
 
 } // namespace
 
-std::vector<Vec2> inset(std::span<const Vec2> corners, float radius) {
-    std::size_t n = corners.size();
-    std::vector<Vec2> core(n);
-    for (std::size_t i = 0; i < n; ++i)
-        core[i] = narrow(moved_in(wide(corners[i > 0 ? i - 1 : n - 1]), wide(corners[i]),
-                                  wide(corners[i + 1 < n ? i + 1 : 0]), double{radius}));
-    for (std::size_t i = 0; i < n; ++i) {
-        std::size_t j = i + 1 < n ? i + 1 : 0;
-        if (!(dot(core[j] - core[i], corners[j] - corners[i]) > 0.0f)) return {};
+OwnedRings inset(const Rings& rings, float radius) {
+    OwnedRings core{std::vector<Vec2>(rings.corners.size()), {rings.holes.begin(), rings.holes.end()}};
+    for (std::size_t i = 0; i < rings.count(); ++i) {
+        std::span<const Vec2> ring = rings.ring(i);
+        std::span<Vec2> moved = std::span(core.corners).subspan(rings.first(i), ring.size());
+        std::size_t n = ring.size();
+        for (std::size_t k = 0; k < n; ++k)
+            moved[k] = narrow(moved_in(wide(ring[k > 0 ? k - 1 : n - 1]), wide(ring[k]),
+                                       wide(ring[k + 1 < n ? k + 1 : 0]), double{radius}));
+        for (std::size_t k = 0; k < n; ++k) {
+            std::size_t j = k + 1 < n ? k + 1 : 0;
+            if (!(dot(moved[j] - moved[k], ring[j] - ring[k]) > 0.0f)) return {};
+        }
     }
-    bool usable = check_polygon(core).fault == PolygonFault::none && signed_area(core) > 0.0;
-    return usable ? core : std::vector<Vec2>{};
+    bool usable = check_polygon(core).fault == PolygonFault::none && signed_area(Rings(core).ring(0)) > 0.0;
+    return usable ? core : OwnedRings{};
 }
 
-float largest_inset(std::span<const Vec2> corners) {
-    Vec2 low = corners[0], high = corners[0];
-    for (Vec2 c : corners) {
+float largest_inset(const Rings& rings) {
+    Vec2 low = rings.corners[0], high = rings.corners[0];
+    for (Vec2 c : rings.corners) {
         low = min(low, c);
         high = max(high, c);
     }
     float fits = 0.0f, fails = std::max(high.x - low.x, high.y - low.y);
     for (int halving = 0; halving < 40 && fails - fits > 1e-3f * fits; ++halving) {
         float middle = 0.5f * (fits + fails);
-        (inset(corners, middle).empty() ? fails : fits) = middle;
+        (inset(rings, middle).corners.empty() ? fails : fits) = middle;
     }
     return fits;
 }
 
 // The core, a strip along each edge, and at each corner the sector between two strips; where the outline turns inward two
 // strips overlap in a kite, which is taken out once.
-MassProperties rounded_mass(std::span<const Vec2> corners, float radius, float density) noexcept {
-    std::size_t n = corners.size();
+MassProperties rounded_mass(const Rings& rings, float radius, float density) noexcept {
     double r = double{radius};
+    Vec2d origin = wide(rings.corners[0]);
     Sum sum;
-    auto at = [&](std::size_t i) { return wide(corners[i % n]) - wide(corners[0]); };
-    for (std::size_t i = 2; i < n; ++i) sum.triangle(at(0), at(i - 1), at(i));
-    for (std::size_t i = 0; i < n && r > 0.0; ++i) {
-        Vec2d p = at(i), q = at(i + 1), s = at(i + 2), m = outward(p, q), k = outward(q, s);
-        sum.triangle(p, p + r * m, q + r * m);
-        sum.triangle(p, q + r * m, q);
-        if (n == 2 || cross(m, k) >= 0.0) {
-            sum.sector(q, m, k, r);
-        } else {
-            Vec2d kite = q + (r / std::max(1.0 + dot(m, k), 1e-9)) * (m + k);
-            sum.triangle(q, q + r * m, kite); // clockwise here, so these two count as negative
-            sum.triangle(q, kite, q + r * k);
+    for (std::size_t ring = 0; ring < rings.count(); ++ring) {
+        std::span<const Vec2> corners = rings.ring(ring);
+        std::size_t n = corners.size();
+        auto at = [&](std::size_t i) { return wide(corners[i % n]) - origin; };
+        for (std::size_t i = 2; i < n; ++i) sum.triangle(at(0), at(i - 1), at(i));
+        for (std::size_t i = 0; i < n && r > 0.0; ++i) {
+            Vec2d p = at(i), q = at(i + 1), s = at(i + 2), m = outward(p, q), k = outward(q, s);
+            sum.triangle(p, p + r * m, q + r * m);
+            sum.triangle(p, q + r * m, q);
+            if (n == 2 || cross(m, k) >= 0.0) {
+                sum.sector(q, m, k, r);
+            } else {
+                Vec2d kite = q + (r / std::max(1.0 + dot(m, k), 1e-9)) * (m + k);
+                sum.triangle(q, q + r * m, kite); // clockwise here, so these two count as negative
+                sum.triangle(q, kite, q + r * k);
+            }
         }
     }
-    return sum.mass(corners[0], double{density});
+    return sum.mass(rings.corners[0], double{density});
 }
 
 MassProperties path_mass(std::span<const Vec2> points, bool closed, float density) noexcept {
@@ -124,13 +132,13 @@ MassProperties path_mass(std::span<const Vec2> points, bool closed, float densit
             {static_cast<float>(points[0].x + x), static_cast<float>(points[0].y + y)}};
 }
 
-std::vector<Vec2> rounded_outline(std::span<const Vec2> corners, float radius) {
+namespace {
+
+void round_ring(std::span<const Vec2> corners, float radius, std::vector<Vec2>& outline) {
     constexpr double kStep = kPi / 32.0; // radians between corners of an arc
     std::size_t n = corners.size();
     bool square_ends = n == 2 && radius == 0.0f;
     double r = square_ends ? 0.5 * double{kLine} : double{radius};
-    std::vector<Vec2> outline;
-    if (r == 0.0) return {corners.begin(), corners.end()};
     for (std::size_t i = 0; i < n; ++i) {
         Vec2d p = wide(corners[i > 0 ? i - 1 : n - 1]), q = wide(corners[i]), s = wide(corners[i + 1 < n ? i + 1 : 0]);
         Vec2d m = outward(p, q), k = outward(q, s);
@@ -146,6 +154,18 @@ std::vector<Vec2> rounded_outline(std::span<const Vec2> corners, float radius) {
             double c = double{turn.cos}, d = double{turn.sin};
             outline.push_back(narrow(q + r * Vec2d{c * m.x - d * m.y, d * m.x + c * m.y}));
         }
+    }
+}
+
+} // namespace
+
+OwnedRings rounded_outline(const Rings& rings, float radius) {
+    if (radius == 0.0f && rings.corners.size() > 2)
+        return {{rings.corners.begin(), rings.corners.end()}, {rings.holes.begin(), rings.holes.end()}};
+    OwnedRings outline;
+    for (std::size_t i = 0; i < rings.count(); ++i) {
+        if (i > 0) outline.holes.push_back(static_cast<std::uint32_t>(outline.corners.size()));
+        round_ring(rings.ring(i), radius, outline.corners);
     }
     return outline;
 }
@@ -174,16 +194,16 @@ std::vector<Vec2> path_outline(std::span<const Vec2> points, bool closed) {
     return right;
 }
 
-std::vector<Vec2> drawn_outline(const Shape& shape, std::span<const Vec2> corners) {
+OwnedRings drawn_outline(const Shape& shape, const Rings& rings) {
     switch (shape.kind) {
     case ShapeKind::circle:
     case ShapeKind::particle:
         return {};
     case ShapeKind::polygon:
     case ShapeKind::line:
-        return rounded_outline(corners, shape.radius);
+        return rounded_outline(rings, shape.radius);
     case ShapeKind::chain:
-        return path_outline(corners, shape.closed);
+        return {path_outline(rings.corners, shape.closed), {}};
     }
     return {};
 }

@@ -15,24 +15,24 @@ inline constexpr float kLine = 0.04f; // metres: and is drawn this thick; two pi
 //    |            |       (  ________  )
 //    |            |       | |  core  | |      the skin is the core's neighbourhood: what is within `radius` of it
 //    |____________|       (__________ _)
-std::vector<Vec2> inset(std::span<const Vec2> corners, float radius);
+OwnedRings inset(const Rings& rings, float radius);
 
 // The largest radius that `inset` takes, within a thousandth.
-float largest_inset(std::span<const Vec2> corners);
+float largest_inset(const Rings& rings);
 
-// Mass properties of a closed outline (simple, counter-clockwise; two corners are a line) with a skin round it.
-MassProperties rounded_mass(std::span<const Vec2> corners, float radius, float density) noexcept;
+// Mass properties of closed rings (simple; two corners alone are a line) with a skin round what they enclose.
+MassProperties rounded_mass(const Rings& rings, float radius, float density) noexcept;
 MassProperties path_mass(std::span<const Vec2> points, bool closed, float density) noexcept; // rods along a path
 
-// The same outline as a polygon to draw, with short edges round its corners: at most an eight-hundredth of the radius
+// The same rings as a polygon to draw, with short edges round its corners: at most an eight-hundredth of the radius
 // inside the true one. Two corners without a radius are drawn as thick as kLine.
-std::vector<Vec2> rounded_outline(std::span<const Vec2> corners, float radius);
+OwnedRings rounded_outline(const Rings& rings, float radius);
 
 // A path as thick as kLine: up its right side and back down its left. Sharp bends are cut off, and a closed path is parted
 // where nobody sees it, in the middle of an edge.
 std::vector<Vec2> path_outline(std::span<const Vec2> points, bool closed);
 
 // A shape's outline to draw, before `local`. Empty for circles and particles, which have none.
-std::vector<Vec2> drawn_outline(const Shape& shape, std::span<const Vec2> corners);
+OwnedRings drawn_outline(const Shape& shape, const Rings& rings);
 
 } // namespace evil

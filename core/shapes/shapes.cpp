@@ -87,8 +87,8 @@ MassProperties outline_mass(const Shapes& shapes, std::uint32_t shape, Vec2 scal
     for (Vec2 corner : shapes.corners[shape]) corners.push_back(apply(m, corner));
     float density = row.material.density;
     if (row.radius == 0.0f) return path_mass(corners, row.closed, density);
-    if (determinant(m) < 0.0f) std::ranges::reverse(corners);
-    return rounded_mass(corners, row.radius * length({m.a, m.b}), density);
+    turn_rings(corners, shapes.holes[shape]); // a mirrored polygon would run clockwise
+    return rounded_mass({corners, shapes.holes[shape]}, row.radius * length({m.a, m.b}), density);
 }
 
 } // namespace
@@ -113,16 +113,18 @@ std::uint16_t corner_count(const Shape& shape, std::span<const Part> parts, std:
     return shape.kind == ShapeKind::circle ? 0 : 2;
 }
 
-std::uint32_t add_shape_row(Shapes& shapes, const Shape& shape, std::vector<Vec2> corners, std::vector<Part> parts) {
+std::uint32_t add_shape_row(Shapes& shapes, const Shape& shape, OwnedRings rings, std::vector<Part> parts) {
     std::uint32_t slot = shapes.slots.take();
     if (slot >= shapes.rows.size()) {
         shapes.rows.resize(slot + 1);
         shapes.corners.resize(slot + 1);
+        shapes.holes.resize(slot + 1);
         shapes.parts.resize(slot + 1);
     }
     shapes.rows[slot] = shape;
     shapes.rows[slot].serial = shapes.next_serial++;
-    shapes.corners[slot] = std::move(corners);
+    shapes.corners[slot] = std::move(rings.corners);
+    shapes.holes[slot] = std::move(rings.holes);
     shapes.parts[slot] = std::move(parts);
 
     std::size_t count = piece_count(shape, shapes.corners[slot], shapes.parts[slot]);
@@ -149,6 +151,7 @@ std::uint32_t add_shape_row(Shapes& shapes, const Shape& shape, std::vector<Vec2
 void remove_shape_row(Shapes& shapes, std::uint32_t shape) {
     release_pieces(shapes, shape);
     shapes.corners[shape].clear();
+    shapes.holes[shape].clear();
     shapes.parts[shape].clear();
     shapes.rows[shape] = {};
     shapes.slots.release(shape);

@@ -3,6 +3,7 @@
 #include "math/transform.hpp"
 #include "refs.hpp"
 #include "shapes/form.hpp"
+#include "shapes/rings.hpp"
 #include <span>
 
 namespace evil {
@@ -62,7 +63,8 @@ struct Shapes { // State: rows by slot
     Slots slots;
     std::vector<Shape> rows;
     std::vector<std::vector<Vec2>> corners; // before `local`; polygon: counter-clockwise; line: two; chain: its points
-    std::vector<std::vector<Part>> parts;   // polygon: how it splits
+    std::vector<std::vector<std::uint32_t>> holes; // polygon: the first corner of each of its holes
+    std::vector<std::vector<Part>> parts;          // polygon: how it splits
     Slots piece_slots;
     std::vector<Piece> pieces;
     std::vector<Form> forms; // by piece, baked with it
@@ -81,6 +83,8 @@ inline std::span<const Vec2> normals_of(const Shapes& s, const Piece& p) {
     return {s.normals.data() + p.first, p.count};
 }
 
+inline Rings rings_of(const Shapes& s, std::uint32_t shape) { return {s.corners[shape], s.holes[shape]}; }
+
 // Places in the pool that a piece takes.
 inline std::uint32_t room_of(const Piece& p, ShapeKind kind) {
     return kind == ShapeKind::chain ? p.count + kGhosts : p.count;
@@ -91,7 +95,7 @@ std::size_t piece_count(const Shape& shape, std::span<const Vec2> corners, std::
 std::uint16_t corner_count(const Shape& shape, std::span<const Part> parts, std::size_t piece);
 
 // A shape (its corners already checked) as a new row without a body.
-std::uint32_t add_shape_row(Shapes& shapes, const Shape& shape, std::vector<Vec2> corners, std::vector<Part> parts);
+std::uint32_t add_shape_row(Shapes& shapes, const Shape& shape, OwnedRings rings, std::vector<Part> parts);
 void remove_shape_row(Shapes& shapes, std::uint32_t shape);
 
 // Bake the pieces of a shape from its definition, its matrix and the body's scale. The pieces keep their slots.

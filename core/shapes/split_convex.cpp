@@ -138,10 +138,10 @@ private:
 
 } // namespace
 
-std::vector<std::vector<std::uint32_t>> split_convex(std::span<const Vec2> corners) {
+std::vector<std::vector<std::uint32_t>> split_convex(const Rings& polygon) {
     std::vector<std::uint32_t> triangles;
-    if (!triangulate(corners, triangles)) return {};
-    Faces faces(corners, triangles);
+    if (!triangulate(polygon, triangles)) return {};
+    Faces faces(polygon.corners, triangles); // a bridge to a hole is a diagonal like any other here
     faces.make_round();
 
     // Longest first makes the roundest parts, the order of the ears makes fewer in star-like outlines. Few comes first.

@@ -28,7 +28,7 @@ class ShapeSpec:
     def particle(arg: float, /) -> ShapeSpec: ...
 
     @staticmethod
-    def polygon(corners: object, owner: str, rounding: float = 0.0) -> ShapeSpec: ...
+    def polygon(corners: object, owner: str, rounding: float = 0.0, holes: object = ()) -> ShapeSpec: ...
 
     @staticmethod
     def line(arg0: object, arg1: object, arg2: float, arg3: str, /) -> ShapeSpec: ...
@@ -40,7 +40,13 @@ class ShapeSpec:
     def corners(self) -> tuple[evilengine.values.vec2.Vec2, ...]: ...
 
     @property
-    def drawn(self) -> tuple[evilengine.values.vec2.Vec2, ...]: ...
+    def holes(self) -> tuple[tuple[evilengine.values.vec2.Vec2, ...], ...]: ...
+
+    @property
+    def parts(self) -> tuple[tuple[evilengine.values.vec2.Vec2, ...], ...]: ...
+
+    @property
+    def drawn(self) -> tuple[tuple[evilengine.values.vec2.Vec2, ...], tuple[tuple[evilengine.values.vec2.Vec2, ...], ...]]: ...
 
     @property
     def area(self) -> float: ...
@@ -155,7 +161,7 @@ class Shape:
     @property
     def outline(self) -> tuple[Any, ...]:
         """
-        In the body's frame: ('circle', centre, radius), ('polygon', corners), ('rounded', corners of its core, radius), ('capsule', ends, radius), ('segment', ends), ('chain', points, loop) or ('particle', centre).
+        In the body's frame: ('circle', centre, radius), ('polygon', corners, holes), ('rounded', corners of its core, radius, its holes), ('capsule', ends, radius), ('segment', ends), ('chain', points, loop) or ('particle', centre).
         """
 
     @property
@@ -1645,17 +1651,17 @@ def transform(matrix: object, points: object, instruction_set: str = '') -> memo
 def multiply(a: object, b: object, instruction_set: str = '') -> memoryview:
     """Products of matrices, (n, 16) by (n, 16), or one by many."""
 
-def polygon_problem(points: object) -> str | None:
+def polygon_problem(points: object, holes: object = ()) -> str | None:
     """
     What is wrong with a polygon, in words, or None when it is simple and of a size that works.
     """
 
-def triangulate(points: object) -> list[tuple[int, int, int]]:
+def triangulate(points: object, holes: object = ()) -> list[tuple[int, int, int]]:
     """
-    Counter-clockwise triangles of corner numbers that fill a simple polygon, without new corners.
+    Counter-clockwise triangles of corner numbers that fill a simple polygon, without new corners. Those of holes are counted on from the outline's.
     """
 
-def split_convex(points: object) -> list[list[int]]:
+def split_convex(points: object, holes: object = ()) -> list[list[int]]:
     """
     Few convex, counter-clockwise parts of corner numbers that fill a simple polygon, without new corners.
     """

@@ -164,33 +164,61 @@ def _rounded_rectangle(x: float, y: float, rounding: float) -> _core.ShapeSpec:
 
 
 class Polygon(PolygonLike):
-    """Any simple polygon: three corners or more, in order, either way round, convex or not.
+    """Any simple polygon: three corners or more, in order, either way round, convex or not. `holes` are the corners of
+    what is cut out of it, a list for each hole.
 
-    A concave one is split into convex parts for collisions; it stays one shape. `rounding` is the radius of the corners
-    that point outward; the edges stay where they are. Raises ShapeError when corners repeat, edges cross, the area is
-    zero, or the rounding leaves nothing of an edge.
+    A concave one, or one with holes, is split into convex parts for collisions; it stays one shape. `rounding` is the
+    radius of the corners that point outward; the edges stay where they are. Raises ShapeError when corners repeat,
+    edges cross, the area is zero, a hole is not within the outline or touches it or another hole, or the rounding
+    leaves nothing of an edge.
 
     >>> Polygon([(0, 0), (1, 0), (0, 1)]).area
     0.5
+    >>> frame = Polygon([(0, 0), (3, 0), (3, 3), (0, 3)], holes=[[(1, 1), (2, 1), (2, 2), (1, 2)]])
+    >>> frame.area
+    8.0
     """
 
-    __slots__ = ()
+    __slots__ = ("_holes",)
+    _holes: tuple[tuple[Vec2, ...], ...]
 
     @known_keywords
-    def __init__(self, corners: Iterable[Point], *, rounding: float = 0.0) -> None:
+    def __init__(
+        self, corners: Iterable[Point], *, holes: Iterable[Iterable[Point]] = (), rounding: float = 0.0
+    ) -> None:
         owner = type(self).__name__
         if not isinstance(corners, Iterable):
             raise ArgumentTypeError(f"Polygon({corners!r}): needs a list of points, such as [(0, 0), (1, 0), (0, 1)]")
         rounding = number(rounding, owner, "rounding", least=0.0, most=MAX_SIZE, error=ShapeError)
-        sharp = _core.ShapeSpec.polygon(tuple(corners), owner)
-        spec = _core.ShapeSpec.polygon(sharp.corners, owner, rounding) if rounding else sharp
-        self._become(rounding=rounding, _corners=sharp.corners, _spec=spec)
+        sharp = _core.ShapeSpec.polygon(tuple(corners), owner, holes=_to_holes(holes))
+        spec = _core.ShapeSpec.polygon(sharp.corners, owner, rounding, sharp.holes) if rounding else sharp
+        self._become(rounding=rounding, _corners=sharp.corners, _holes=sharp.holes, _spec=spec)
+
+    @property
+    def holes(self) -> tuple[tuple[Vec2, ...], ...]:
+        """The corners of each hole before rounding, clockwise."""
+        return self._holes
+
+    def _key(self) -> tuple[object, ...]:
+        return self.corners, self.holes, self.rounding
 
     def _arguments(self) -> tuple[object, ...]:
         return (self.corners,)
 
+    def _options(self) -> dict[str, object]:
+        return super()._options() | ({"holes": self.holes} if self.holes else {})
+
     def __repr__(self) -> str:
-        return self._written(f"[{_points(self.corners)}]")
+        holes = ", ".join(f"[{_points(hole)}]" for hole in self.holes)
+        return self._written(f"[{_points(self.corners)}]" + (f", holes=[{holes}]" if holes else ""))
+
+
+def _to_holes(holes: Iterable[Iterable[Point]]) -> tuple[tuple[Point, ...], ...]:
+    if isinstance(holes, Iterable):
+        each = tuple(holes)
+        if all(isinstance(hole, Iterable) for hole in each):
+            return tuple(tuple(hole) for hole in each)
+    raise ArgumentTypeError(f"Polygon: holes={holes!r} must be a list of holes, each a list of points")
 
 
 class Triangle(Polygon):
