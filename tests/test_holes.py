@@ -302,7 +302,7 @@ def test_a_saved_scene_has_its_holes() -> None:
     saved = _core.SavedScene(stage.scene._core.snapshot(stage.world._core)[0])
     expected = bytes(stage.show())
     other = Stage()
-    other.scene._core.restore(saved, other.world._core, [])
+    other.scene._core.restore(saved, other.world._core, [], [])
     assert bytes(other.show()) == expected
 
 

@@ -20,7 +20,8 @@ bool same_meshes(std::span<const Mesh> a, std::span<const Mesh> b) { // Mesh has
     return std::ranges::equal(a, b, [](const Mesh& p, const Mesh& q) {
         return p.kind == q.kind && p.coloured_corners == q.coloured_corners && p.first_vertex == q.first_vertex &&
                p.vertex_count == q.vertex_count && p.inside == q.inside && p.first_index == q.first_index &&
-               p.index_count == q.index_count && p.first_hole == q.first_hole && p.hole_count == q.hole_count && p.radius == q.radius;
+               p.index_count == q.index_count && p.first_hole == q.first_hole && p.hole_count == q.hole_count &&
+               p.radius == q.radius;
     });
 }
 
