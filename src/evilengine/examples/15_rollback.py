@@ -23,9 +23,10 @@ for i in range(7):
     game.add(evil.Circle(0.35), at=(1.2 * math.cos(i * 0.9), 1.2 * math.sin(i * 0.9)), colour="#f8f9fa", **puck)
 report = game.text("arrow keys push blue", at=(44, 44), colour="#8899bb")
 
-past = {}  # the world before each of the last steps, as bytes
-moves = {-1: [(0, 0), (0, 0)]}  # how blue and red push in each of them, as far as we know
-line = deque()  # from red, on their way: the step in which a message comes, and what red did LATE steps before
+past: dict[int, bytes] = {}  # the world before each of the last steps, as bytes
+Push = tuple[float, float]
+moves: dict[int, list[Push]] = {-1: [(0, 0), (0, 0)]}  # how blue and red push in each of them, as far as we know
+line: deque[tuple[int, Push]] = deque()  # when a message from red comes, and what red did LATE steps before
 
 
 def prepare(step):
