@@ -37,15 +37,15 @@ SANITIZED = ROOT / "build" / "sanitize"
 FUZZED = ROOT / "build" / "fuzz"
 CPP = [str(path) for suffix in ("hpp", "cpp") for path in sorted((ROOT / "core").rglob(f"*.{suffix}"))]
 
-# Tests that start processes or open windows say nothing about the core, and a sanitizer would watch SDL instead; those of
-# what is Python alone, or plays games to see what Python makes of them, go where others have been in the core; those that
-# step whole scenes again and again to compare bits do too, and would take it many minutes.
+# Tests that start processes or open windows say nothing about the core, and a sanitizer would watch SDL instead; those
+# of what is Python alone, or plays games to see what Python makes of them, go where others have been in the core; those
+# that step whole scenes again and again to compare bits do too, and would take it many minutes.
 NOT_THE_CORE = (
-    "architecture cli* docs examples gl* import screen sound_card stubs window* "
-    "assets autosave callbacks camera colour film frame headless_device interaction level_* "
-    "pictures player release replay save_files slow_motion sound_files tilt timer translate "
-    "bench scene_bits scenes testbed"
-).split()
+    *("architecture", "cli*", "docs", "examples", "gl*", "import", "screen", "sound_card", "stubs", "window*"),
+    *("assets", "autosave", "callbacks", "camera", "colour", "film", "frame", "headless_device", "interaction"),
+    *("level_*", "pictures", "player", "release", "replay", "save_files", "slow_motion", "sound_files", "tilt"),
+    *("bench", "scene_bits", "scenes", "testbed", "timer", "translate"),
+)
 
 
 def run(*command: str | Path, **environment: str) -> None:
