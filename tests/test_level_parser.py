@@ -45,7 +45,7 @@ def option(text: str, name: str) -> object:
 def test_the_whole_first_level_is_understood() -> None:
     names = [type(command).__name__ for command in script.read(WHOLE).commands]
     added = ["AddBody"] * 6
-    assert names == ["SetGravity", "SetView", "SetTilt", *added, "AddForce", "OnContact", "After", "Every"]
+    assert names == ["SetGravity", "SetView", "SetTilt", *added, "AddForce", "OnMeeting", "After", "Every"]
 
 
 def test_the_line_of_the_thesis_means_the_same_as_readable_words() -> None:
@@ -75,7 +75,7 @@ def test_units_become_metres_and_kilograms() -> None:
 
 def test_corners_of_a_polygon_stay_as_they_are_written() -> None:
     points = tuple(Pair(x, y) for x, y in [(0.0, 0.0), (1.0, 0.0), (0.5, 1.0)])
-    assert body("new triangle 0 0, 1 0, 0.5 1 at 3 3;").shapes == (Make("Triangle", (Corners(points),)),)
+    assert body("new triangle 0 0, 1 0, 0.5 1 at 3 3;").shapes == (Make("Triangle", points),)
 
 
 def edges(shape: Make) -> tuple[float, float, float, float]:
@@ -133,7 +133,7 @@ def test_a_name_in_a_block_is_known_only_there() -> None:
 
 def test_an_event_knows_what_met() -> None:
     (event,) = script.read('on collide "ball" "coin" { destroy other; }').commands
-    assert isinstance(event, values.OnContact)
+    assert isinstance(event, values.OnMeeting)
     assert event.block[0] == values.Destroy(event.block[0].place, Called("other"))
 
 

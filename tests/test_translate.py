@@ -55,6 +55,10 @@ new particle 1 at 0 1;
 new rectangle belt 5 0.3 at 3 -4 conveyor 2; new rectangle ledge 3 0.2 at -2 2 oneWay; new circle eye 1 at 0 0 sensor;
 new circle ghost 0.3 at 5 5 physicsOn category 2 mask 5 group -1; new medium lake 6 2 at -6 -5 density 1.5 drag 2;
 new medium wind2 3 9 at 6 0 velocity 0 12 drag 1;
+new capsule pill 1.5 0.4 at 2 2 physicsOn; new chain bumps -8 -4, -6 -3.5, -4 -4; new segment shelf 5 0, 7 0.5;
+new rectangle soft 1 0.6 at 6 3 rounding 0.2 physicsOn; on enter eye { set score (score + 1); }
+draw capsule 1 0.3 at 1 1;
+on leave eye ball { set score (score - 1); } on enter eye "coin" { set other tag "seen"; }
 after 2 { set belt conveyor -3; set ghost mask 1; set eye sensor off; set ledge oneWay off; }
 after 3 { set mill velocity 0 1; set ball at 0 3; set ball angle 45; set board size 30;
     repeat (floor(2.7)) { new circle 0.1; } }

@@ -68,6 +68,13 @@ void outline_shape(const DebugFrame& f, std::uint32_t slot, const Affine& body_t
              colour); // shows how it turns
         return;
     }
+    if (shape.kind == ShapeKind::chain || (shape.kind == ShapeKind::line && !(shape.radius > 0.0f))) {
+        const std::vector<Vec2>& points = f.world.shapes.corners[slot]; // a line has no inside to go round
+        for (std::size_t i = 0; i + 1 < points.size() + (shape.closed ? 1 : 0); ++i)
+            line(f.overlay, apply(to_pixel, points[i]), apply(to_pixel, points[(i + 1) % points.size()]), width,
+                 colour);
+        return;
+    }
     const OwnedRings rings = drawn_outline(shape, rings_of(f.world.shapes, slot));
     Mesh mesh; // an outline needs no triangles
     mesh.first_vertex = static_cast<std::uint32_t>(list.vertices.size());

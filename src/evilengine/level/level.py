@@ -16,6 +16,7 @@ from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any
 
 from evilengine import script
+from evilengine.level import characters
 from evilengine.level.rules import Answers, Consequence, Gone, Rounds, Scope, Thing
 from evilengine.script.arithmetic import ArithmeticProblem, evaluate
 from evilengine.script.tags import Rule, Tags
@@ -28,7 +29,7 @@ from evilengine.world import joints
 from evilengine.world.body import Body
 from evilengine.world.forces import ConstantForce, Drag, Spring
 from evilengine.world.media import Medium
-from evilengine.world.shapes import Circle, Particle, Polygon, Rectangle, Triangle
+from evilengine.world.shapes import Capsule, Chain, Circle, Particle, Polygon, Rectangle, Segment, Triangle
 from evilengine.world.world import World
 
 if TYPE_CHECKING:
@@ -37,14 +38,13 @@ if TYPE_CHECKING:
     from evilengine.timer import Event
     from evilengine.values.callbacks import Callbacks
 
-TYPES: dict[str, Callable[..., Any]] = {
-    each.__name__: each
-    for each in (Circle, Rectangle, Triangle, Polygon, Particle, Spring, ConstantForce, Drag, Medium)
-}
+_SHAPES = (Circle, Rectangle, Triangle, Polygon, Capsule, Segment, Chain, Particle)
+_FORCES = (Spring, ConstantForce, Drag, Medium)
+TYPES: dict[str, Callable[..., Any]] = {each.__name__: each for each in (*_SHAPES, *_FORCES)}
 TYPES |= {f"joints.{each.__name__}": each for each in joints.KINDS.values()}
 """What a level can make, by the names that its commands use."""
 
-_LOOKS = frozenset({"colour", "texture", "layer", "visible"})
+_LOOKS = frozenset({"colour", "texture", "layer", "hidden"})
 
 
 def load(game: Game, path: str | Path) -> Level:
@@ -60,15 +60,15 @@ def build(level: LevelScript, target: Game | World) -> Level:
     return Level(level, target)
 
 
-_RULES = (commands.OnContact, commands.OnTouch, commands.OnKey, commands.OnShake)
+_FOR_GOOD = commands.Rule | commands.AddLadder
 _COUNTED = (
-    *_RULES,
-    commands.AddForce,
-    commands.AddJoint,
-    commands.AddDrawing,
-    commands.AddText,
-    commands.After,
-    commands.Every,
+    _FOR_GOOD
+    | commands.AddForce
+    | commands.AddJoint
+    | commands.AddDrawing
+    | commands.AddText
+    | commands.After
+    | commands.Every
 )
 
 
@@ -196,10 +196,14 @@ class Level:
                 self._repeat(command, scope)
             case commands.If(condition=condition, then=then, otherwise=otherwise):
                 self._inside(then if self._number(condition, scope) else otherwise, scope)
-            case commands.OnContact():
-                self._on_contact(command, scope)
+            case commands.OnMeeting():
+                self._on_meeting(command, scope)
+            case commands.OnCharacter(event=event, first=first):
+                self._rule(event, first, None, Consequence(self, command, scope))
             case commands.OnTouch(first=first) if first is not None:
-                self._on_touch(command, first, scope)
+                self._rule("on_touch", first, None, Consequence(self, command, scope))
+            case commands.AddCharacter() | commands.AddLadder() | commands.Tell() | commands.Drive():
+                characters.carry_out(self, command, scope)
             case _:
                 if self.game is not None:
                     self._play(command, scope, self.game)
@@ -260,8 +264,6 @@ class Level:
         """The engine's value that a Make stands for."""
         arguments = [self._value(each, scope) for each in make.arguments]
         options = {each.name: self._value(each.value, scope) for each in make.options}
-        if make.type == "Triangle":
-            arguments = arguments[0]
         return TYPES[make.type](*arguments, **options)
 
     def _thing(self, called: Called, scope: Scope) -> Thing | None:
@@ -274,16 +276,21 @@ class Level:
     def _add_body(self, command: commands.AddBody, scope: Scope) -> None:
         shapes = [self._made(each, scope) for each in command.shapes]
         options = self._looks(command.options, scope)
-        if len(self.world.bodies) >= MAX_BODIES:
-            self._enough()
+        if self._is_full():
             return
         shape = shapes[0] if len(shapes) == 1 else shapes
-        if self.game is not None:
-            body: Body = self.game.add(shape, **options)
-        else:
-            body = self.world.add(shape, **{name: value for name, value in options.items() if name not in _LOOKS})
-        self._made_thing(body, command.name, scope)
+        add = self.world.add if self.game is None else self.game.add
+        self._made_body(add(shape, **options), command.name, scope)
+
+    def _made_body(self, body: Body, name: str, scope: Scope) -> None:
+        self._made_thing(body, name, scope)
         self._tags.add(body)
+
+    def _is_full(self) -> bool:
+        if len(self.world.bodies) < MAX_BODIES:
+            return False
+        self._enough()
+        return True
 
     def _enough(self) -> None:
         if not self._full:
@@ -294,7 +301,7 @@ class Level:
 
     def _has_room(self, command: commands.Command) -> bool:
         """Whether one more of what is counted may be; a level that makes them for ever stays playable."""
-        if isinstance(command, _RULES):
+        if isinstance(command, _FOR_GOOD):
             self._rules += 1
         if len(self._others) >= MAX_BODIES:
             self._others = [each for each in self._others if each.alive]
@@ -328,8 +335,10 @@ class Level:
         self._made_thing(game.draw(shape, **self._looks(command.options, scope)), command.name, scope)
 
     def _looks(self, options: tuple[commands.Option, ...], scope: Scope) -> dict[str, Any]:
-        """Options for a game, which asks what is visible rather than what is hidden."""
+        """Options for a game, which asks what is visible rather than what is hidden; a world alone has no looks."""
         values = {each.name: self._value(each.value, scope) for each in options}
+        if self.game is None:
+            return {name: value for name, value in values.items() if name not in _LOOKS}
         if values.pop("hidden", False):
             values["visible"] = False
         if "texture" in values:
@@ -388,8 +397,14 @@ class Level:
         if command.property == "texture":
             value = self._beside(value)
         attribute, value = ("visible", not value) if command.property == "hidden" else (command.property, value)
-        for each in getattr(thing, "drawings", ()) if command.of_drawings else (thing,):
+        for each in self._parts(thing, command.part):
             setattr(each, attribute, value)
+
+    def _parts(self, thing: Any, part: str) -> tuple[Any, ...]:
+        """What of a thing a property is of; nothing, where there is none."""
+        if part == "drawings":
+            return tuple(getattr(thing, "drawings", ()))
+        return characters.those(self.world, (thing,)) if part == "character" else (thing,)
 
     # Rounds and events
 
@@ -414,8 +429,7 @@ class Level:
         self._on_failure(event.cancel)
         return event
 
-    def _on_contact(self, command: commands.OnContact, scope: Scope) -> None:
-        event = "on_collide" if command.begins else "on_separate"
+    def _on_meeting(self, command: commands.OnMeeting, scope: Scope) -> None:
         second: Body | str | None = None
         if isinstance(command.second, Tagged):
             second = command.second.tag
@@ -424,10 +438,7 @@ class Level:
             if not isinstance(thing, Body):
                 return  # nothing will ever meet what is gone
             second = thing
-        self._rule(event, command.first, second, Consequence(self, command, scope))
-
-    def _on_touch(self, command: commands.OnTouch, first: commands.Target, scope: Scope) -> None:
-        self._rule("on_touch", first, None, Consequence(self, command, scope))
+        self._rule(command.event, command.first, second, Consequence(self, command, scope))
 
     def _rule(self, event: str, first: commands.Target, second: Body | str | None, then: Consequence) -> None:
         if isinstance(first, Tagged):

@@ -16,10 +16,6 @@ if TYPE_CHECKING:
     from evilengine.timer import Event
 
 Thing: TypeAlias = "Body | Drawing | Force | Joint | Text"
-Waiting: TypeAlias = (
-    "commands.OnContact | commands.OnTouch | commands.OnKey | commands.OnShake | commands.After | commands.Every"
-)
-"""Commands whose block is carried out later."""
 
 
 class Gone:
@@ -51,7 +47,7 @@ class Consequence:
 
     __slots__ = ("command", "level", "scope")
 
-    def __init__(self, level: Level, command: Waiting, scope: Scope) -> None:
+    def __init__(self, level: Level, command: commands.Waiting, scope: Scope) -> None:
         self.level = level
         self.command = command
         self.scope = scope

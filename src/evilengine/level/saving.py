@@ -15,7 +15,7 @@ from evilengine import script
 from evilengine.level.level import Level
 from evilengine.level.rules import Consequence, Gone, Rounds, Scope
 from evilengine.scene import Drawing, Text
-from evilengine.script.tags import Rule, Tags, Told
+from evilengine.script.tags import EVENTS, Rule, Tags, Told
 from evilengine.timer import Event
 from evilengine.values import level as commands
 from evilengine.values.errors import SaveError
@@ -30,10 +30,6 @@ Reference = list[Any] | None
 """["body", slot], and so with force, joint and drawing; ["text", number], ["event", number]; None: it is gone."""
 
 C = TypeVar("C", bound=commands.Command)
-
-WAITING = (
-    commands.OnContact, commands.OnTouch, commands.OnKey, commands.OnShake, commands.After, commands.Every,
-)  # fmt: skip
 
 Things = Mapping[str, Callable[[int], Any]]
 """For each kind of reference, what gives the thing of that number."""
@@ -237,13 +233,13 @@ class LevelState:
 
     def _consequence(self, number: int, scope: int) -> Consequence:
         command = self._commands[_index(number)]
-        if not isinstance(command, WAITING):
+        if not isinstance(command, commands.Waiting):
             raise ValueError(f"command {number} waits for nothing")
         return Consequence(self.level, command, self._scopes[_index(scope)])
 
     def _rule(self, row: list[Any]) -> Rule:
         event, tag, second, number, scope = row
-        if event not in ("on_collide", "on_separate", "on_touch") or not (tag is None or isinstance(tag, str)):
+        if event not in EVENTS or not (tag is None or isinstance(tag, str)):
             raise ValueError(f"no rule waits for {event!r}")
         rule = Rule(event, tag, None, self._consequence(number, scope))
         match second:

@@ -49,15 +49,14 @@ def used(block: Block) -> set[Called]:
 
 def is_deferred(block: Block) -> bool:
     """Whether a block makes functions that are called later, and so must keep the values of its round."""
-    later = (commands.OnContact, commands.OnTouch, commands.OnKey, commands.OnShake, commands.After, commands.Every)
-    texts = (each for each in inline(block) if isinstance(each, commands.AddText))
-    return any(isinstance(each, later) for each in inline(block)) or any(len(each.pieces) > 1 for each in texts)
+    later = any(isinstance(each, commands.Waiting) for each in inline(block))
+    return later or any(isinstance(each, commands.AddText) and len(each.pieces) > 1 for each in inline(block))
 
 
 def has_tags(block: Block) -> bool:
     """Whether some event is about everything with a tag."""
     for command in inline(block):
-        if isinstance(command, commands.OnContact | commands.OnTouch) and isinstance(command.first, Tagged):
+        if isinstance(getattr(command, "first", None), Tagged):
             return True
         if not isinstance(command, commands.Repeat | commands.If) and has_tags(getattr(command, "block", ())):
             return True

@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 from evilengine.script.arithmetic import formula
-from evilengine.script.checker import Checker
 from evilengine.script.joints import JOINTS
 from evilengine.script.names import DRAWING, SOMETHING, Made, family_made
 from evilengine.script.settings import example_of
+from evilengine.script.shaping import Settings, ShapeBuilder
 from evilengine.script.syntax import Expression, Identifier, New, Setting, Spot, Text
-from evilengine.script.word import PLACE, Property, Size
-from evilengine.script.words import KINDS, family_of, property_of
+from evilengine.script.word import PLACE, Property
+from evilengine.script.words import KINDS, property_of
 from evilengine.values import level as values
 from evilengine.values.level import (
     Area,
     Called,
     Command,
-    Corners,
     Formula,
     Make,
     Name,
@@ -26,16 +25,17 @@ from evilengine.values.level import (
     Value,
 )
 
-BODIES = ("body", "walls")
-WALL_THICKNESS = 1.0
+BODIES = ("body", "character")
+"""What `this` and `other` may be, and joints hold."""
 _MEASURE = {"angle": "angle", "length": "length", "time": "time", "mass": "mass", "spin": "spin", "point": "length"}
 
 
-class ThingBuilder(Checker):
+class ThingBuilder(ShapeBuilder):
     """Builds what `new` makes."""
 
     def new(self, statement: New) -> list[Command]:
         commands: list[Command] = []
+        self.measured = []
         if statement.kind is not None:
             settings = self._settings(statement)
             kind = KINDS[statement.kind]
@@ -45,20 +45,26 @@ class ThingBuilder(Checker):
                 commands = self._body(statement, settings)
             elif kind.word in JOINTS:
                 commands = self._joint(statement, settings)
+            elif kind.family == "character":
+                commands = self._character(statement, settings)
             elif kind.family == "spring":
                 commands = self._spring(statement, settings)
+            elif kind.family == "ladder":
+                commands = self._ladder(statement, settings)
             else:
                 commands = self._force(statement, settings)
         if statement.name is not None:
-            still = "physicsOn" not in {each.word for each in statement.settings}
-            self.declare(Made(statement.name.name, family_made(statement), statement.name.place, still=still))
-        return commands
+            said = {each.word for each in statement.settings}
+            made = Made(statement.name.name, family_made(statement), statement.name.place,
+                        still="physicsOn" not in said, sees="sensor" in said)  # fmt: skip
+            self.declare(made)
+        return [*self.measured, *commands]
 
-    def _settings(self, statement: New) -> dict[str, tuple[Setting, Property]]:
+    def _settings(self, statement: New) -> Settings:
         """The properties of a `new` by their words, each once, and all that it needs."""
         assert statement.kind is not None
         kind = KINDS[statement.kind]
-        family = DRAWING if statement.drawn else family_of(kind)
+        family = DRAWING if statement.drawn else kind.family
         found = self.by_word(statement.settings, family)
         if not statement.broken:
             for word in kind.needs:
@@ -68,8 +74,8 @@ class ThingBuilder(Checker):
                     self.error("missing-property", f"a {kind.word} needs {word}", statement.place, hint)
         return found
 
-    def by_word(self, settings: tuple[Setting, ...], family: str) -> dict[str, tuple[Setting, Property]]:
-        found: dict[str, tuple[Setting, Property]] = {}
+    def by_word(self, settings: tuple[Setting, ...], family: str) -> Settings:
+        found: Settings = {}
         for setting in settings:
             entry = property_of(setting.word, family)
             if entry is None:
@@ -79,27 +85,54 @@ class ThingBuilder(Checker):
             found[setting.word] = setting, entry
         return found
 
-    def _body(self, statement: New, settings: dict[str, tuple[Setting, Property]]) -> list[Command]:
+    def _body(self, statement: New, settings: Settings) -> list[Command]:
         self._body_conflicts(settings)
         options: list[Option] = [Option("kind", _body_kind(settings))]
         options.append(self._place(statement, settings))
-        shapes = self._shapes(statement, settings)
-        for word, (setting, entry) in settings.items():
-            if word not in ("at", "physicsOn", "moving", "thickness"):
-                options.append(Option(entry.option, self.value(setting, entry)))
+        shapes = self.shapes(statement, settings)
+        options += self._options(settings, "at", "physicsOn", "moving")
         name = statement.name.name if statement.name else ""
         return [values.AddBody(statement.place, name, shapes, tuple(options))]
 
-    def _drawing(self, statement: New, settings: dict[str, tuple[Setting, Property]]) -> list[Command]:
+    def _character(self, statement: New, settings: Settings) -> list[Command]:
         options = [self._place(statement, settings)]
-        for word, (setting, entry) in settings.items():
-            if word != "at":
-                options.append(Option(entry.option, self.value(setting, entry)))
-        shapes = self._shapes(statement, settings)
+        if "velocity" in settings:
+            hint = "throw it later, as in: set hero velocity 0 12;"
+            self.error("stands-still", "a new character stands", settings["velocity"][0].place, hint)
+        options += self._options(settings, "at", "velocity")
+        shapes = self.shapes(statement, settings)
+        name = statement.name.name if statement.name else ""
+        return [values.AddCharacter(statement.place, name, shapes[0], tuple(options))] if shapes else []
+
+    def _ladder(self, statement: New, settings: Settings) -> list[Command]:
+        kind = KINDS["ladder"]
+        sizes = [self.size(*each) for each in zip(statement.sizes, kind.sizes, strict=False)]
+        if len(sizes) < len(kind.sizes):
+            return []
+        area = self._area(sizes, self._place(statement, settings).value, statement.place)
+        return [values.AddLadder(statement.place, area, self._those(settings, ("character",), "character"))]
+
+    def _those(self, settings: Settings, families: tuple[str, ...], wanted: str) -> tuple[Called, ...]:
+        """The things named by `for`."""
+        named = settings["for"][0].values if "for" in settings else ()
+        for name in named:
+            assert isinstance(name, Identifier)
+            self.called(name, families, wanted)
+        return tuple(Called(name.name) for name in named if isinstance(name, Identifier))
+
+    def _drawing(self, statement: New, settings: Settings) -> list[Command]:
+        options = [self._place(statement, settings)]
+        options += self._options(settings, "at")
+        shapes = self.shapes(statement, settings)
         name = statement.name.name if statement.name else ""
         return [values.AddDrawing(statement.place, name, shapes[0], tuple(options))] if shapes else []
 
-    def _place(self, statement: New, settings: dict[str, tuple[Setting, Property]]) -> Option:
+    def _options(self, settings: Settings, *without: str) -> list[Option]:
+        """Its properties but those, and but those of its shape."""
+        said = [(setting, entry) for word, (setting, entry) in settings.items() if word not in without]
+        return [Option(entry.option, self.value(setting, entry)) for setting, entry in said if entry.part != "shape"]
+
+    def _place(self, statement: New, settings: Settings) -> Option:
         """Where it is: said by `at`, or after the sizes; without either, in the middle."""
         assert statement.kind is not None
         after_sizes = self._thesis_place(statement, len(KINDS[statement.kind].sizes), settings)
@@ -107,23 +140,7 @@ class ThingBuilder(Checker):
             return Option("at", self.value(*settings["at"]))
         return Option("at", after_sizes or Pair(0.0, 0.0))
 
-    def _shapes(self, statement: New, settings: dict[str, tuple[Setting, Property]]) -> tuple[Make, ...]:
-        assert statement.kind is not None
-        kind = KINDS[statement.kind]
-        if kind.corners is not None:
-            corners = self.corners(kind.word, statement.corners, statement.place) if not statement.broken else ()
-            return (Make(kind.type, (Corners(corners),)),)
-        sizes = [self._size(*each) for each in zip(statement.sizes, kind.sizes, strict=False)]
-        if len(sizes) < len(kind.sizes):
-            return ()
-        if kind.word == "walls":
-            return self._walls(sizes[0], sizes[1], settings, statement.place)
-        return (Make(kind.type, tuple(sizes)),)
-
-    def _size(self, expression: Expression, size: Size) -> Number:
-        return self.number(expression, f"the {size.name}", size.range, size.measure)
-
-    def _thesis_place(self, statement: New, sizes: int, settings: dict[str, tuple[Setting, Property]]) -> Pair | None:
+    def _thesis_place(self, statement: New, sizes: int, settings: Settings) -> Pair | None:
         """The place that follows the sizes, as in `new rectangle 2 1 0 4`."""
         if len(statement.sizes) != sizes + 2:
             return None
@@ -132,7 +149,7 @@ class ThingBuilder(Checker):
             self.error("said-twice", "the place is said twice", settings["at"][0].place, "keep one of them")
         return self.pair(Spot(x, y, statement.place), "at", PLACE, "length")
 
-    def _body_conflicts(self, settings: dict[str, tuple[Setting, Property]]) -> None:
+    def _body_conflicts(self, settings: Settings) -> None:
         for one, other in (("density", "mass"), ("physicsOn", "moving")):
             if one in settings and other in settings:
                 later = max(settings[one][0], settings[other][0], key=lambda each: (each.place.line, each.place.column))
@@ -143,37 +160,7 @@ class ThingBuilder(Checker):
                     message = f"{word} means nothing for a thing that stands still"
                     self.error("stands-still", message, settings[word][0].place, "add physicsOn")
 
-    def _walls(
-        self, width: Number, height: Number, settings: dict[str, tuple[Setting, Property]], place: Place
-    ) -> tuple[Make, ...]:
-        """Four rectangles round the room: below, above, left, right."""
-        thickness: Number = WALL_THICKNESS
-        if "thickness" in settings:
-            setting, entry = settings["thickness"]
-            (value,) = setting.values
-            assert not isinstance(value, Text | Identifier | Spot)
-            thickness = self.number(value, "thickness", entry.range, "length")
-
-        def half(size: Number, more: Number) -> Number:
-            return formula("add", (formula("divide", (size, 2.0), place), more), place)
-
-        def wall(left: Number, bottom: Number, right: Number, top: Number) -> Make:
-            corners = (Pair(left, bottom), Pair(right, bottom), Pair(right, top), Pair(left, top))
-            return Make("Polygon", (Corners(corners),))
-
-        def minus(number: Number) -> Number:
-            return formula("negate", (number,), place)
-
-        x, y = half(width, 0.0), half(height, 0.0)
-        far_x, far_y = half(width, thickness), half(height, thickness)
-        return (
-            wall(minus(far_x), minus(far_y), far_x, minus(y)),
-            wall(minus(far_x), y, far_x, far_y),
-            wall(minus(far_x), minus(y), minus(x), y),
-            wall(x, minus(y), far_x, y),
-        )
-
-    def _spring(self, statement: New, settings: dict[str, tuple[Setting, Property]]) -> list[Command]:
+    def _spring(self, statement: New, settings: Settings) -> list[Command]:
         options: list[Option] = []
         body = Called("")
         for word, (setting, entry) in settings.items():
@@ -192,7 +179,7 @@ class ThingBuilder(Checker):
         name_made = statement.name.name if statement.name else ""
         return [values.AddForce(statement.place, name_made, Make("Spring", (), tuple(options)), (body,))]
 
-    def _joint(self, statement: New, settings: dict[str, tuple[Setting, Property]]) -> list[Command]:
+    def _joint(self, statement: New, settings: Settings) -> list[Command]:
         """The two things come first, then what the joint needs at a place; two ends of a range are one pair."""
         assert statement.kind is not None
         given = {entry.option: self.value(setting, entry) for setting, entry in settings.values()}
@@ -208,16 +195,11 @@ class ThingBuilder(Checker):
         name_made = statement.name.name if statement.name else ""
         return [values.AddJoint(statement.place, name_made, Make(KINDS[statement.kind].type, tuple(first), options))]
 
-    def _force(self, statement: New, settings: dict[str, tuple[Setting, Property]]) -> list[Command]:
+    def _force(self, statement: New, settings: Settings) -> list[Command]:
         assert statement.kind is not None
         kind = KINDS[statement.kind]
-        sizes = [self._size(*each) for each in zip(statement.sizes, kind.sizes, strict=False)]
-        bodies: list[Called] = []
-        if "for" in settings:
-            for name in settings["for"][0].values:
-                assert isinstance(name, Identifier)
-                self.called(name, BODIES, "thing")
-                bodies.append(Called(name.name))
+        sizes = [self.size(*each) for each in zip(statement.sizes, kind.sizes, strict=False)]
+        bodies = self._those(settings, BODIES, "thing")
         force = Make(kind.type)
         if len(sizes) >= len(kind.sizes):
             match kind.word:
@@ -228,26 +210,25 @@ class ThingBuilder(Checker):
                 case _:
                     force = self._medium(statement, sizes, settings)
         name_made = statement.name.name if statement.name else ""
-        return [values.AddForce(statement.place, name_made, force, tuple(bodies))]
+        return [values.AddForce(statement.place, name_made, force, bodies)]
 
-    def _medium(self, statement: New, sizes: list[Number], settings: dict[str, tuple[Setting, Property]]) -> Make:
-        """A medium's area is given by its edges: left, bottom, right, top."""
-        place = statement.place
-        middle = self._thesis_place(statement, 2, settings) or Pair(0.0, 0.0)
-        options: list[Option] = []
-        for word, (setting, entry) in settings.items():
-            value = self.value(setting, entry)
-            if word == "at" and isinstance(value, Pair):
-                middle = value
-            else:
-                options.append(Option(entry.option, value))
+    def _medium(self, statement: New, sizes: list[Number], settings: Settings) -> Make:
+        middle = self._place(statement, settings).value
+        area = self._area(sizes, middle, statement.place)
+        return Make("Medium", (area,), tuple(self._options(settings, "at")))
+
+    def _area(self, sizes: list[Number], middle: Value, place: Place) -> Area:
+        """An area by its edges."""
+        assert isinstance(middle, Pair)
+        width, height = self.once(sizes[0], "width", place), self.once(sizes[1], "height", place)
+        x, y = self.once(middle.x, "x", place), self.once(middle.y, "y", place)
 
         def edge(centre: Number, size: Number, side: str) -> Number:
             return formula(side, (centre, formula("divide", (size, 2.0), place)), place)
 
-        left, bottom = edge(middle.x, sizes[0], "subtract"), edge(middle.y, sizes[1], "subtract")
-        right, top = edge(middle.x, sizes[0], "add"), edge(middle.y, sizes[1], "add")
-        return Make("Medium", (Area(left, bottom, right, top),), tuple(options))
+        return Area(
+            edge(x, width, "subtract"), edge(y, height, "subtract"), edge(x, width, "add"), edge(y, height, "add")
+        )
 
     # Property values
 
@@ -278,7 +259,7 @@ class ThingBuilder(Checker):
         return value
 
 
-def _body_kind(settings: dict[str, tuple[Setting, Property]]) -> str:
+def _body_kind(settings: Settings) -> str:
     if "physicsOn" in settings:
         return "dynamic"
     return "kinematic" if "moving" in settings else "static"

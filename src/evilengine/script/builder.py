@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from evilengine.script.arithmetic import Bounds
 from evilengine.script.bodies import BODIES, ThingBuilder
+from evilengine.script.characters import TELLINGS
 from evilengine.script.checker import thing
 from evilengine.script.joints import JOINTS
 from evilengine.script.names import DRAWING, NUMBER, SOMETHING, TEXT, Made
@@ -20,12 +21,13 @@ from evilengine.script.syntax import (
     Sounding,
     Spot,
     StatementNode,
+    Steering,
     Text,
     TextLine,
     Unknown,
 )
 from evilengine.script.word import ANY, LANGUAGE_VERSION, MAX_ROUNDS, MAX_WORK, Range
-from evilengine.script.words import property_of
+from evilengine.script.words import CHARACTER_EVENTS, MEETINGS, property_of
 from evilengine.values import level as values
 from evilengine.values.level import Called, Command, Number, Option, Place, Tagged, Value
 from evilengine.values.tick import FASTEST, SLOWEST
@@ -69,6 +71,8 @@ class Builder(ThingBuilder):
                 return self.new(statement)
             case Order():
                 return self._order(statement)
+            case Steering():
+                return self._steering(statement)
             case TextLine():
                 return self._text(statement)
             case Sounding():
@@ -148,7 +152,9 @@ class Builder(ThingBuilder):
         made = self.called(name, BODIES, "thing")
         if made is not None and made.still and made.family != SOMETHING:
             message = f"'{name.name}' stands still, so no impulse can move it"
-            self.error("stands-still", message, name.place, "make it with physicsOn")
+            throw = f"write: set {name.name} velocity 0 5;"
+            hint = throw if made.family == "character" else "make it with physicsOn"
+            self.error("stands-still", message, name.place, hint)
         pair = self.pair(kick, "impulse", Range(least=-1e6, most=1e6))
         return [values.Impulse(place, Called(name.name), pair)]
 
@@ -161,6 +167,23 @@ class Builder(ThingBuilder):
             value = self.number(rest[0], name.name)
         self.declare(Made(name.name, NUMBER, name.place))
         return [values.Let(statement.place, name.name, value)]
+
+    # drive, tell
+
+    def _steering(self, statement: Steering) -> list[Command]:
+        target = statement.target
+        made = None if target is None else self.called(target, ("character",), "character")
+        keys = tuple((what, tuple(self.key(each) for each in names)) for what, names in statement.keys)
+        value = None
+        if statement.value is not None:
+            value = self.number(statement.value, statement.telling, Range(least=-1.0, most=1.0))
+        if statement.broken or (target is not None and made is None):
+            return []
+        called = None if target is None else Called(target.name)
+        if statement.word == "drive":
+            return [values.Drive(statement.place, called, keys)]
+        assert called is not None
+        return [values.Tell(statement.place, called, TELLINGS[statement.telling], value)]
 
     # play, music
 
@@ -197,10 +220,12 @@ class Builder(ThingBuilder):
         made = self.called(target, (*BODIES, *JOINTS, DRAWING, TEXT), "thing")
         if made is None or statement.broken:
             return []
-        family = made.family if made.family in (DRAWING, TEXT, *JOINTS) else "body"
+        family = made.family if made.family in (DRAWING, TEXT, "character", *JOINTS) else "body"
         entry = property_of(statement.setting.word, family)
-        if entry is None and made.family == SOMETHING:
-            return []
+        if made.family == SOMETHING and (entry is None or not entry.settable):
+            entry = property_of(statement.setting.word, "character")
+            if entry is None:
+                return []
         if entry is None or not entry.settable:
             self.error(
                 "wrong-property", f"a {family} has no {statement.setting.word} to change", statement.setting.place
@@ -211,8 +236,8 @@ class Builder(ThingBuilder):
             value: Value = isinstance(switch, Identifier) and switch.name == "on"
         else:
             value = self.value(statement.setting, entry)
-        looks = entry.of_drawings and family == "body"
-        return [values.SetProperty(statement.place, Called(target.name), entry.settable, value, looks)]
+        part = entry.part if family in BODIES else ""
+        return [values.SetProperty(statement.place, Called(target.name), entry.settable, value, part)]
 
     def _change_number(self, statement: Change) -> list[Command]:
         target = statement.target
@@ -233,11 +258,11 @@ class Builder(ThingBuilder):
 
     def _event(self, statement: Event) -> list[Command]:
         place = statement.place
-        targets = [] if statement.event == "key" else [self._target(each) for each in statement.targets]
+        targets = [] if statement.event == "key" else [self._target(each, statement) for each in statement.targets]
         known = []
-        if statement.event in ("collide", "separate", "touch", ""):
+        if statement.event in (*MEETINGS, *CHARACTER_EVENTS, "touch", ""):
             known.append(Made("this", SOMETHING, place))
-        if statement.event in ("collide", "separate", ""):
+        if statement.event in (*MEETINGS, ""):
             known.append(Made("other", SOMETHING, place))
         work, self._work = self._work, 1.0
         block = self._inner(statement.block, *known)
@@ -245,9 +270,10 @@ class Builder(ThingBuilder):
         if statement.broken:
             return []
         match statement.event, targets:
-            case (("collide" | "separate"), [first, *second]):
-                begins = statement.event == "collide"
-                return [values.OnContact(place, begins, first, second[0] if second else None, block)]
+            case event, [first, *second] if event in MEETINGS:
+                return [values.OnMeeting(place, f"on_{event}", first, second[0] if second else None, block)]
+            case event, [first] if event in CHARACTER_EVENTS:
+                return [values.OnCharacter(place, f"on_{event}", first, block)]
             case "touch", []:
                 return [values.OnTouch(place, None, block)]
             case "touch", [first]:
@@ -260,10 +286,17 @@ class Builder(ThingBuilder):
                 return [values.OnKey(place, self.key(key), block)]
         return []
 
-    def _target(self, target: Identifier | Text) -> values.Target:
+    def _target(self, target: Identifier | Text, event: Event) -> values.Target:
         if isinstance(target, Text):
             return Tagged(target.value)
-        self.called(target, BODIES, "thing")
+        if event.event in CHARACTER_EVENTS:
+            self.called(target, ("character",), "character")
+            return Called(target.name)
+        made = self.called(target, BODIES, "thing")
+        looks = event.event in ("enter", "leave") and target is event.targets[0]
+        if looks and made is not None and made.family != SOMETHING and not made.sees:
+            message = f"'{target.name}' is no sensor, so nothing enters it"
+            self.error("sees-nothing", message, target.place, "make it with sensor, or name the sensor first")
         return Called(target.name)
 
     def _rounds(self, statement: Rounds) -> list[Command]:

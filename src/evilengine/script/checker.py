@@ -5,8 +5,10 @@ Each check notes an error at the place of what is wrong and gives back something
 
 from __future__ import annotations
 
+import math
 import os
 import re
+from itertools import pairwise
 from pathlib import Path, PurePosixPath
 
 from evilengine import _core
@@ -15,13 +17,14 @@ from evilengine.script.expressions import cut
 from evilengine.script.lexer import Source
 from evilengine.script.names import NUMBER, SOMETHING, Made, Names, reserved
 from evilengine.script.syntax import Expression, Identifier, Level, Literal, Operation, Reference, Spot, Text
-from evilengine.script.word import ANY, MEASURES, UNITS, Range, plain
+from evilengine.script.word import ANY, MEASURES, UNITS, Kind, Range, plain
 from evilengine.script.words import EVENT_NAMES, near
 from evilengine.values.colour import NAMES as COLOURS
 from evilengine.values.colour import to_colour
 from evilengine.values.errors import ArgumentError
 from evilengine.values.events import KEY_NAMES
 from evilengine.values.level import Name, Number, Pair, Place
+from evilengine.world.shapes import MIN_SIZE
 
 LARGEST = 1e9  # of any number in a level, so that no arithmetic on it overflows
 _PLAIN = ""
@@ -318,18 +321,19 @@ class Checker:
         self.error("unknown-key", f"there is no key '{cut(name)}'", text.place, hint)
         return name
 
-    def corners(self, kind: str, spots: tuple[Spot, ...], place: Place) -> tuple[Pair, ...]:
-        """Corners that make a shape."""
-        pairs = tuple(self.pair(spot, "a corner", Range(least=-10_000.0, most=10_000.0), "length") for spot in spots)
+    def corners(self, kind: Kind, spots: tuple[Spot, ...], place: Place) -> tuple[Pair, ...]:
+        """Corners that make a shape, or the points of a path."""
+        what = "a point" if kind.open else "a corner"
+        pairs = tuple(self.pair(spot, what, Range(least=-10_000.0, most=10_000.0), "length") for spot in spots)
         points = [(pair.x, pair.y) for pair in pairs if isinstance(pair.x, float) and isinstance(pair.y, float)]
         if len(points) == len(pairs):
-            problem = _core.polygon_problem(points)
+            problem = _path_problem(points) if kind.open else _core.polygon_problem(points)
             if problem:
                 first, last = spots[0].place, spots[-1].place
                 if first.line == last.line:
                     place = Place(first.line, first.column, last.column + last.length - first.column)
                 message, _, hint = problem.partition("; ")
-                self.error("bad-shape", f"this {kind} cannot be: {_from_one(message)}", place, hint)
+                self.error("bad-shape", f"this {kind.word} cannot be: {_from_one(message)}", place, hint)
         return pairs
 
     def pieces(self, text: Text) -> tuple[str | Number, ...]:
@@ -354,6 +358,14 @@ class Checker:
         return (*result, plain) if plain or not result else tuple(result)
 
 
+def _path_problem(points: list[tuple[float, float]]) -> str:
+    """What is wrong with a path, with its points counted from 0; "" for nothing."""
+    for number, (here, there) in enumerate(pairwise(points)):
+        if math.dist(here, there) < MIN_SIZE:
+            return f"points {number} and {number + 1} are in one place; leave one of them out"
+    return ""
+
+
 def _from_one(message: str) -> str:
     """Corners and edges counted from 1, as people count."""
 
@@ -361,12 +373,12 @@ def _from_one(message: str) -> str:
         word, first, last = match.groups()
         return f"{word} {int(first) + 1}" + (f"-{int(last) + 1}" if last else "")
 
-    return re.sub(r"\b(corners?|edges?|and) (\d+)(?:-(\d+))?", one_more, message)
+    return re.sub(r"\b(corners?|edges?|points?|and) (\d+)(?:-(\d+))?", one_more, message)
 
 
 def thing(family: str) -> str:
     """A family as people say it."""
-    return {"body": "thing", "walls": "room of walls"}.get(family, family)
+    return {"body": "thing"}.get(family, family)
 
 
 def place_of(expression: Expression) -> Place:

@@ -38,7 +38,7 @@ JOINT_KINDS: tuple[Kind, ...] = (
         "Keeps two things as far apart as they are, or `length`; with `stiffness` it is a spring between them.",
         _BALL + "new rod from hook to ball;", meant=("bar", "stick", "distance")),
     _tie("rope", "Rope", "Keeps two things no further apart than they are, or `length`.",
-        _BALL + "new rope from hook to ball length 3;", meant=("string", "line", "tether")),
+        _BALL + "new rope from hook to ball length 3;", meant=("string", "tether")),
     _tie("slider", "Slider", "Lets the thing after `to` slide along a line of the other, and not turn.",
         _LIFT + "new slider from tower to lift axis 0 1 least 0 most 3 slideSpeed 1;",
         meant=("rail", "prismatic", "piston")),

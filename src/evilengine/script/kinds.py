@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from evilengine.script.characters import CHARACTER_KINDS
 from evilengine.script.joints import JOINT_KINDS
 from evilengine.script.word import ANY, MAX_CORNERS, NOT_NEGATIVE, Kind, Range, Size
 
@@ -15,6 +16,7 @@ KINDS: Mapping[str, Kind] = {
             family="body",
             type="Rectangle",
             sizes=(Size(name="width"), Size(name="height")),
+            shaped=("thickness",),
             doc="A room: four walls that stand round an area of this size. They are 1 metre thick, or `thickness`.",
             example='new walls 15 8 thickness 0.5 colour "dimgrey";',
             meant=("wall", "room", "border", "bounds", "frame", "walls"),
@@ -24,6 +26,7 @@ KINDS: Mapping[str, Kind] = {
             family="body",
             type="Rectangle",
             sizes=(Size(name="width"), Size(name="height")),
+            shaped=("rounding",),
             doc="A rectangle; its place is its middle.",
             example="new rectangle crate 2 1 at 0 4 angle 30 physicsOn;",
             meant=("box", "square", "rect", "block", "crate", "platform", "floor", "ground"),
@@ -42,6 +45,7 @@ KINDS: Mapping[str, Kind] = {
             family="body",
             type="Triangle",
             corners=(3, 3),
+            shaped=("rounding",),
             needs=("at",),
             doc="A triangle with these three corners, counted from its place.",
             example="new triangle 0 0, 1 0, 0.5 1 at 3 3 physicsOn;",
@@ -52,10 +56,41 @@ KINDS: Mapping[str, Kind] = {
             family="body",
             type="Polygon",
             corners=(3, MAX_CORNERS),
+            shaped=("rounding",),
             needs=("at",),
             doc="A shape with any corners, counted from its place, in order round it. Its edges may not cross.",
             example="new polygon rock 0 0, 1 0, 1.2 0.8, 0.3 1.1 at 2 5 physicsOn;",
             meant=("poly", "shape", "hexagon", "pentagon", "star"),
+        ),
+        Kind(
+            word="capsule",
+            family="body",
+            type="Capsule",
+            sizes=(Size(name="width"), Size(name="height")),
+            doc="A bar with round ends, lying or standing; its place is its middle.",
+            example="new capsule pill 2 0.6 at 0 4 physicsOn;",
+            meant=("pill", "stadium", "bean", "sausage"),
+        ),
+        Kind(
+            word="segment",
+            family="body",
+            type="Segment",
+            corners=(2, 2),
+            open=True,
+            doc="A straight line between two points, counted from its place; solid from both sides.",
+            example="new segment ramp -6 -2, 2 -4;",
+            meant=("line", "edge"),
+        ),
+        Kind(
+            word="chain",
+            family="body",
+            type="Chain",
+            corners=(2, MAX_CORNERS),
+            open=True,
+            shaped=("closed",),
+            doc="Lines from point to point, counted from its place: hilly ground that things slide along smoothly.",
+            example="new chain hills -8 -3, -4 -2, 0 -3.5, 5 -3, 8 -1;",
+            meant=("path", "terrain", "polyline", "hills", "curve"),
         ),
         Kind(
             word="particle",
@@ -103,6 +138,7 @@ KINDS: Mapping[str, Kind] = {
             example="new medium pond 8 2 at 0 -3 drag 4;",
             meant=("water", "mud", "liquid", "area", "lake", "pond"),
         ),
+        *CHARACTER_KINDS,
         *JOINT_KINDS,
     )
 }

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from evilengine.script.arithmetic import UNKNOWN, Bounds
 from evilengine.script.syntax import Block, Choice, Event, Identifier, New, Order, Rounds, TextLine, Unknown
-from evilengine.script.words import KINDS, RESERVED, family_of
+from evilengine.script.words import KINDS, RESERVED
 from evilengine.values.level import Place
 
 NUMBER = "number"
@@ -29,6 +29,8 @@ class Made:
     """For numbers: a counter, which `set` cannot change."""
     still: bool = False
     """For bodies: it stands still for ever."""
+    sees: bool = False
+    """For bodies: it is a sensor."""
 
 
 class Names:
@@ -98,7 +100,7 @@ def family_made(statement: New) -> str:
         return SOMETHING
     if statement.drawn:
         return DRAWING
-    return family_of(KINDS[statement.kind])
+    return KINDS[statement.kind].family
 
 
 def reserved(name: str) -> bool:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from evilengine.script.expressions import Skip, cut, shown
 from evilengine.script.lexer import Source, Token, tokens
+from evilengine.script.steering import Steered
 from evilengine.script.syntax import (
     Block,
     Choice,
@@ -22,12 +23,13 @@ from evilengine.script.syntax import (
     Text,
     Unknown,
 )
-from evilengine.script.things import Things
 from evilengine.script.word import MAX_NESTING
 from evilengine.script.words import (
+    CHARACTER_EVENTS,
     EVENT_MEANT,
     EVENTS,
     KINDS,
+    MEETINGS,
     PROPERTY_WORDS,
     STATEMENTS,
     near,
@@ -45,7 +47,7 @@ def parse(source: Source) -> tuple[Level, frozenset[str]]:
     return parser.level(), frozenset(parser.lost)
 
 
-class Parser(Things):
+class Parser(Steered):
     """One method for each statement word."""
 
     def __init__(self, source: Source, tokens: list[Token]) -> None:
@@ -184,6 +186,8 @@ class Parser(Things):
                 return self.sounding(word, place, before)
             case "set":
                 return self.changed(place, before)
+            case "drive" | "tell":
+                return self.steering(word, place, before)
             case "on":
                 return self._event(place, before)
             case "after" | "every" | "repeat":
@@ -279,9 +283,10 @@ class Parser(Things):
         return suggestion or ""
 
     def _check_targets(self, event: str, targets: list[Identifier | Text]) -> None:
+        pair = "ball floor" if event in ("collide", "separate") else "goal ball"
         fewest, most, form = {
-            "collide": (1, 2, "one or two names, as in: on collide ball floor { ... }"),
-            "separate": (1, 2, "one or two names, as in: on separate ball floor { ... }"),
+            **dict.fromkeys(MEETINGS, (1, 2, f"one or two names, as in: on {event} {pair} {{ ... }}")),
+            **dict.fromkeys(CHARACTER_EVENTS, (1, 1, f"one name, as in: on {event} hero {{ ... }}")),
             "touch": (0, 1, "one name, as in: on touch ball { ... }"),
             "key": (1, 1, 'a key in quotes, as in: on key "space" { ... }'),
             "shake": (0, 0, "no names, as in: on shake { ... }"),

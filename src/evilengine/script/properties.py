@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from evilengine.script.characters import CHARACTER_PROPERTIES
 from evilengine.script.joints import JOINT_PROPERTIES
 from evilengine.script.meeting import MEETING
 from evilengine.script.word import FRACTION, NOT_NEGATIVE, PLACE, SIZE, Of, Property, Range
 
-_placed = Of(("body", "drawing", "medium"))
+_placed = Of(("body", "drawing", "character", "medium", "ladder"))
 _thing = Of(("body",), "new circle ball 0.5 at 0 3 physicsOn ")
-_look = Of(("body", "drawing"))
-_walls = Of(("walls",), "new walls 15 8 ")
+_any = Of(("body", "character"), "new circle ball 0.5 at 0 3 physicsOn ")
+_shape = Of(("body", "drawing"))
+_look = Of(("body", "drawing", "character"))
 _spring = Of(("spring",), "new circle ball 0.5 at 0 3 physicsOn;\nnew spring from ball to 0 8 ")
-_force = Of(("force", "drag"))
+_force = Of(("force", "drag", "ladder"))
 _medium = Of(("medium",), "new medium 8 2 at 0 -3 ")
 _text = Of(("text",), 'text "Hello" at 20 20 ')
 _sound = Of(("sound",), 'play "thud.ogg" ')
@@ -33,7 +35,7 @@ PROPERTIES: tuple[Property, ...] = (
         range=Range(least=0.0625, most=4.0), meant=("tone", "rate", "speed")),
     _music("fade", "time", "Seconds in which it takes over from the music before it; 1 is usual.", "fade 3",
         range=Range(least=0.0, most=120.0), meant=("crossfade", "blend")),
-    _look("angle", "angle", "How far it is turned, in degrees against the clock.",
+    _shape("angle", "angle", "How far it is turned, in degrees against the clock.",
         example="new rectangle 2 1 at 0 4 angle 30;", settable=True, meant=("rotation", "rotate", "turn", "rotated")),
     _thing("physicsOn", "flag",
         "It falls, rolls and can be pushed. Without it a thing stands still, and others collide with it.",
@@ -47,14 +49,14 @@ PROPERTIES: tuple[Property, ...] = (
     _thing("spin", "spin", "How fast it turns, in degrees a second against the clock.", "spin 90",
         option="angular_velocity", range=Range(least=-36_000.0, most=36_000.0), settable=True,
         meant=("angularVelocity", "rotationSpeed", "spinning")),
-    _thing("touchable", "flag", "Fingers and the mouse can drag it.", "touchable", settable=True,
+    _any("touchable", "flag", "Fingers and the mouse can drag it.", "touchable", settable=True,
         meant=("draggable", "drag", "grab", "touch", "clickable")),
     *MEETING,
-    _thing("density", "number", "How heavy its material is; water is 1, and so is everything that says nothing.",
+    _any("density", "number", "How heavy its material is; water is 1, and so is everything that says nothing.",
         "density 3", range=Range(above=0.0, most=1_000_000.0)),
-    _thing("mass", "mass", "How heavy it is as a whole, instead of `density`.", "mass 2",
+    _any("mass", "mass", "How heavy it is as a whole, instead of `density`.", "mass 2",
         range=Range(above=0.0, most=1_000_000.0), meant=("weight",)),
-    _thing("friction", "number", "How rough it is: 0 slides like ice, 1 grips like rubber.", "friction 0.6",
+    _any("friction", "number", "How rough it is: 0 slides like ice, 1 grips like rubber.", "friction 0.6",
         range=Range(least=0.0, most=10.0), settable=True, meant=("grip", "rough", "roughness")),
     _thing("restitution", "number", "How well it bounces: 0 not at all, 1 back to where it fell from.",
         "restitution 0.8", range=FRACTION, settable=True, meant=("bounce", "bounciness", "bouncy", "elasticity")),
@@ -70,20 +72,26 @@ PROPERTIES: tuple[Property, ...] = (
         meant=("float", "floating", "gravityFactor")),
     _thing("bullet", "flag", "It is so fast that extra care keeps it from passing through thin things.",
         example="new circle 0.05 at -7 0 physicsOn bullet velocity 200 0;", meant=("fast", "ccd")),
-    _thing("tag", "tag", "A word that many things may share. Events take a tag in quotes in place of a name.",
+    _any("tag", "tag", "A word that many things may share. Events take a tag in quotes in place of a name.",
         example='new circle 0.3 at 1 2 tag "coin";\nnew circle ball 0.5 at 0 3 physicsOn;\n'
         'on collide ball "coin" { destroy other; }', settable=True, meant=("group", "class", "label", "team")),
     _look("colour", "colour", 'Its colour: a name such as `red`, or `"#rrggbb"` in quotes.',
-        example='new circle 0.5 at 0 3 colour "#cc9966";', settable=True, of_drawings=True, spellings=("color",),
+        example='new circle 0.5 at 0 3 colour "#cc9966";', settable=True, part="drawings", spellings=("color",),
         meant=("fill", "tint", "paint", "col")),
     _look("texture", "picture", "A picture drawn on it: the name of a file in the level's folder.", settable=True,
-        of_drawings=True, meant=("image", "picture", "sprite", "skin", "img")),
+        part="drawings", meant=("image", "picture", "sprite", "skin", "img")),
     _look("layer", "whole", "What is drawn over what: a whole number; higher is in front, 0 is usual.",
         example="new circle 0.5 at 0 3 layer 2;", range=Range(least=-1000.0, most=1000.0), settable=True,
-        of_drawings=True, meant=("depth", "zIndex", "z", "order")),
+        part="drawings", meant=("depth", "zIndex", "z", "order")),
     _look("hidden", "flag", "It is there but not seen.", example="new rectangle 4 1 at 0 -2 hidden;", settable=True,
-        of_drawings=True, meant=("invisible", "hide", "unseen")),
-    _walls("thickness", "length", "How thick the walls are.", "thickness 0.5", range=SIZE, meant=("thick",)),
+        part="drawings", meant=("invisible", "hide", "unseen")),
+    _shape("thickness", "length", "How thick the walls of a room are.", example="new walls 15 8 thickness 0.5;",
+        range=SIZE, part="shape", meant=("thick",)),
+    _shape("rounding", "length", "The radius of its corners that point outward; its sides stay where they are.",
+        example="new rectangle crate 2 1 at 0 4 rounding 0.2 physicsOn;", range=NOT_NEGATIVE, part="shape",
+        meant=("rounded", "roundness", "cornerRadius", "smooth")),
+    _shape("closed", "flag", "A chain whose last point is joined to its first.",
+        example="new chain -4 0, 0 -3, 4 0, 0 3 closed;", option="loop", part="shape", meant=("loop", "loops", "ring")),
     _spring("from", "name", "The thing that the spring pulls on.",
         example="new circle ball 0.5 at 0 3 physicsOn;\nnew spring from ball to 0 8;"),
     _spring("to", "place", "The other end: a point, or the name of another thing.",
@@ -113,6 +121,7 @@ PROPERTIES: tuple[Property, ...] = (
         range=Range(least=4.0, most=400.0), settable=True, meant=("height", "fontSize", "font")),
     _text("colour", "colour", "The colour of its letters.", 'colour "gold"', settable=True, spellings=("color",),
         meant=("fill", "tint", "paint", "col")),
+    *CHARACTER_PROPERTIES,
     *JOINT_PROPERTIES,
 )
 # fmt: on

@@ -97,7 +97,7 @@ class PythonValues:
     def option(self, option: Option) -> str:
         if option.name == "hidden":
             return "visible=False"
-        if option.name in ("angle", "angular_velocity"):
+        if option.name in ("angle", "angular_velocity", "max_slope"):
             return f"{option.name}={self.angle(option.value)}"
         return f"{option.name}={self.value(option.value)}"
 
@@ -116,8 +116,6 @@ class PythonValues:
 
     def make(self, make: Make) -> str:
         arguments = [self.value(each) for each in make.arguments]
-        if make.type == "Triangle" and isinstance(make.arguments[0], Corners):
-            arguments = [self.value(point) for point in make.arguments[0].points]
         return f"evil.{make.type}({', '.join([*arguments, *(self.option(each) for each in make.options)])})"
 
 

@@ -23,7 +23,7 @@ from evilengine.script.word import (
     Kind,
     Property,
 )
-from evilengine.script.words import EVENTS, FUNCTIONS, KINDS, STATEMENTS, family_of, properties_of
+from evilengine.script.words import EVENTS, FUNCTIONS, KINDS, STATEMENTS, placed, properties_of, takes
 
 _INTRODUCTION = """\
 # The level language
@@ -77,7 +77,8 @@ def reference() -> str:
     parts.append("## What `new` makes\n")
     parts += [_kind(kind) for kind in KINDS.values()]
     parts.append("## Properties\n\n`set` can change those that are marked.\n")
-    parts.append("### Of things\n\n" + _table(_merged("body", "walls")))
+    parts.append("### Of things\n\n" + _table(properties_of("body")))
+    parts.append("### Of characters\n\n" + _table(properties_of("character")))
     parts.append("### Of springs\n\n" + _table(properties_of("spring")))
     parts.append("### Of joints\n\n" + _table(_merged(*JOINTS)))
     parts.append("### Of forces, drag and media\n\n" + _table(_merged("force", "drag", "medium")))
@@ -97,10 +98,12 @@ def _example(text: str) -> str:
 
 def _kind(kind: Kind) -> str:
     if kind.corners is not None:
-        form = f"new {kind.word} [NAME] X Y, X Y, X Y" + (", ..." if kind.corners[1] > 3 else "") + " at X Y"
+        fewest, most = kind.corners
+        form = f"new {kind.word} [NAME] {', '.join(['X Y'] * fewest)}" + (", ..." if most > fewest else "")
+        form += " at X Y" if "at" in kind.needs else ""
     else:
         form = f"new {kind.word} [NAME] " + " ".join(size.name.upper() for size in kind.sizes)
-        form = form.strip() + (" [X Y]" if kind.family in ("body", "medium") else "")
+        form = form.strip() + (" [X Y]" if placed(kind) else "")
     needs = [need for need in kind.needs if need != "at"]
     form += "".join(f" {need} ..." for need in needs) + " [PROPERTIES];"
     ranges = [
@@ -108,7 +111,7 @@ def _kind(kind: Kind) -> str:
         for size in kind.sizes
         if str(size.range) != "any number"
     ]
-    words = ", ".join(f"`{each.word}`" for each in properties_of(family_of(kind)))
+    words = ", ".join(f"`{each.word}`" for each in properties_of(kind.family) if takes(kind, each))
     lines = [f"### {kind.word}\n", f"```\n{form}\n```\n", " ".join([kind.doc, *ranges]) + "\n"]
     return "\n".join([*lines, f"Properties: {words}\n" if words else "", _example(kind.example)])
 

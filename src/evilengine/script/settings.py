@@ -105,7 +105,7 @@ class Settings(Expressions):
     def _foreign_property(self, token: Token, family: str) -> None:
         """A known word that this kind of thing has no use for; its values are read, to find errors in them."""
         entry = next(each for each in PROPERTIES if token.text in (each.word, *each.spellings))
-        owner = {"walls": "body"}.get(family, family) or "thing"
+        owner = family or "thing"
         names = ", ".join(each.word for each in properties_of(family)) if family else ""
         if family:
             self.error("wrong-property", f"a {owner} has no {token.text}", token, f"it takes {names}" if names else "")

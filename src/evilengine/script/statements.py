@@ -126,7 +126,23 @@ STATEMENTS: Mapping[str, Statement] = {
             form="impulse NAME X Y;",
             doc="A kick: changes speed at once. The same kick moves a heavy thing less.",
             example='new circle ball 0.5 at 0 3 physicsOn;\non key "space" { impulse ball 0 5; }',
-            meant=("kick", "push", "hit", "jump", "throw"),
+            meant=("kick", "push", "hit", "throw"),
+        ),
+        Statement(
+            word="drive",
+            form='drive NAME [left "KEY"] [right "KEY"] [up "KEY"] [down "KEY"] [jump "KEY"];  drive off;',
+            doc="Lets the player steer a character: arrows, w a s d or the stick of a pad, and the space bar to jump. "
+            "Other keys are said by name, one or more for each. Whoever was steered before stands.",
+            example='new character hero 0.6 1.5 at 0 1;\ndrive hero jump "space" "z";',
+            meant=("control", "steer", "player"),
+        ),
+        Statement(
+            word="tell",
+            form="tell NAME walk NUMBER;  tell NAME climb NUMBER;  tell NAME jump;  tell NAME letGo;  tell NAME drop;",
+            doc="Steers a character without the player: `walk -1` to the left and `1` to the right, `climb 1` up a "
+            "ladder and `-1` down, until told otherwise; `letGo` ends a jump early, `drop` falls through a platform.",
+            example="new character guard 0.6 1.5 at 0 1;\ntell guard walk -1;\nevery 2 { tell guard jump; }",
+            meant=("order", "command", "walk"),
         ),
         Statement(
             word="destroy",
@@ -137,8 +153,9 @@ STATEMENTS: Mapping[str, Statement] = {
         ),
         Statement(
             word="on",
-            form="on collide A [B] { ... }  on separate A [B] { ... }  on touch A { ... }  "
-            'on key "KEY" { ... }  on shake { ... }',
+            form="on collide A [B] { ... }  on separate A [B] { ... }  on enter A [B] { ... }  on leave A [B] { ... }  "
+            'on touch A { ... }  on land A { ... }  on jump A { ... }  on crush A { ... }  on key "KEY" { ... }  '
+            "on shake { ... }",
             doc="Does what is in the block each time that something happens. A and B are names, or tags in quotes, "
             "which stand for everything with that tag. Without B it happens with anything. "
             "In the block `this` is the first of the two and `other` the second.",
@@ -182,13 +199,23 @@ STATEMENTS: Mapping[str, Statement] = {
 EVENTS = {
     "collide": "two things begin to touch each other",
     "separate": "two things that touched each other part",
+    "enter": "something comes into a thing that is a `sensor`; the sensor is the first",
+    "leave": "it goes out of it again, or is gone",
+    "land": "a character comes down on the ground",
+    "jump": "a character jumps",
+    "crush": "a character has no room left",
     "touch": "a finger or the mouse presses something",
     "key": "a key is pressed",
     "shake": "the device is shaken",
 }
+MEETINGS = ("collide", "separate", "enter", "leave")
+"""The events of two things."""
+CHARACTER_EVENTS = ("land", "jump", "crush")
 EVENT_MEANT = {
     "collision": "collide", "hit": "collide", "contact": "collide", "collides": "collide", "click": "touch",
-    "tap": "touch", "press": "key", "keypress": "key", "leave": "separate", "apart": "separate",
+    "tap": "touch", "press": "key", "keypress": "key", "apart": "separate",
+    "enters": "enter", "inside": "enter", "leaves": "leave", "exit": "leave", "outside": "leave", "lands": "land",
+    "landing": "land", "jumps": "jump", "crushed": "crush", "squeeze": "crush",
 }  # fmt: skip
 
 FUNCTIONS: Mapping[str, Word] = {

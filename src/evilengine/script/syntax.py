@@ -93,6 +93,19 @@ class New:
 
 
 @dataclass(frozen=True, slots=True)
+class Steering:
+    """`drive` with its keys, or `tell` with what it says; `target` is None for `drive off`."""
+
+    word: str
+    target: Identifier | None
+    keys: tuple[tuple[str, tuple[Text, ...]], ...]
+    telling: str
+    value: Expression | None
+    place: Place
+    broken: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Order:
     """A statement that is a word and its values: gravity, view, tilt, background, seed, evil, let, destroy, impulse."""
 
@@ -172,7 +185,7 @@ class Unknown:
     place: Place
 
 
-StatementNode: TypeAlias = New | Order | TextLine | Sounding | Change | Event | Rounds | Choice | Unknown
+StatementNode: TypeAlias = New | Order | Steering | TextLine | Sounding | Change | Event | Rounds | Choice | Unknown
 Block: TypeAlias = tuple[StatementNode, ...]
 
 

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
 
 from evilengine.values.inputs import Touch
 from evilengine.world.body import Body
+from evilengine.world.character import EVENTS as CHARACTERS
+from evilengine.world.character import Character
+from evilengine.world.contacts import Contact
+from evilengine.world.sensors import Visit
 
-if TYPE_CHECKING:
-    from evilengine.world.contacts import Contact
+EVENTS = ("on_collide", "on_separate", "on_enter", "on_leave", "on_touch", *CHARACTERS)
+"""What a rule may wait for."""
 
 Met: TypeAlias = Callable[[Body, Body], object]
 Touched: TypeAlias = Callable[[Body], object]
@@ -58,6 +62,26 @@ class Tags:
         """As `on_collide`, when contact ends."""
         self.on(Rule("on_separate", first, second, met))
 
+    def on_enter(self, first: str, second: Body | str | None, met: Met) -> None:
+        """Call `met(this, other)` when `second` (None: anything) enters a sensor of a body tagged `first`."""
+        self.on(Rule("on_enter", first, second, met))
+
+    def on_leave(self, first: str, second: Body | str | None, met: Met) -> None:
+        """As `on_enter`, when it leaves."""
+        self.on(Rule("on_leave", first, second, met))
+
+    def on_land(self, first: str, happened: Touched) -> None:
+        """Call `happened(this)` when a character whose body is tagged `first` lands."""
+        self.on(Rule("on_land", first, None, happened))
+
+    def on_jump(self, first: str, happened: Touched) -> None:
+        """As `on_land`, when it jumps."""
+        self.on(Rule("on_jump", first, None, happened))
+
+    def on_crush(self, first: str, happened: Touched) -> None:
+        """As `on_land`, when it begins to be crushed."""
+        self.on(Rule("on_crush", first, None, happened))
+
     def on_touch(self, first: str, touched: Touched) -> None:
         """Call `touched(this)` when a finger presses a body tagged `first`."""
         self.on(Rule("on_touch", first, None, touched))
@@ -71,9 +95,9 @@ class Tags:
 
 
 class Rule:
-    """What happens on an event ("on_collide", "on_separate", "on_touch") of the bodies that it watches.
+    """What happens on one of EVENTS of the bodies that it watches.
 
-    With a `tag`, it holds for a body only as long as that carries it. `second` is whom a contact must be with: a body,
+    With a `tag`, it holds for a body only as long as that carries it. `second` is whom a meeting must be with: a body,
     a tag, or None for anybody.
     """
 
@@ -87,7 +111,8 @@ class Rule:
 
     def watch(self, body: Body) -> None:
         """Hold for `body` from now on. Watching what is watched already changes nothing."""
-        callbacks = getattr(body, self.event)
+        owner = Character(body) if self.event in CHARACTERS else body
+        callbacks = getattr(owner, self.event)
         if not any(isinstance(each, Told) and each.rule is self for each in callbacks):
             callbacks(Told(self, body))
 
@@ -101,19 +126,26 @@ class Told:
         self.rule = rule
         self.this = this
 
-    def __call__(self, happened: Contact | Touch) -> None:
+    def __call__(self, happened: Contact | Visit | Touch | float | None = None) -> None:
+        """`happened` is what the event gives: nothing, or how fast it landed, of a character."""
         rule, this = self.rule, self.this
         if rule.tag is not None and this.tag != rule.tag:
             return
-        if isinstance(happened, Touch):
-            if happened.phase == "began":
+        match happened:
+            case Contact() | Visit():
+                self._met(happened)
+            case Touch(phase=phase) if phase != "began":
+                pass
+            case _:
                 rule.call(this)
-            return
-        other = happened.other(this)
+
+    def _met(self, happened: Contact | Visit) -> None:
+        rule, this = self.rule, self.this
+        other = happened.visitor if isinstance(happened, Visit) else happened.other(this)
         if isinstance(rule.second, str):
             if not other.alive or other.tag != rule.second:
                 return
-            if rule.second == rule.tag and happened.a != this:
+            if rule.second == rule.tag and isinstance(happened, Contact) and happened.a != this:
                 return  # both carry it and both are told; once is enough
         elif rule.second is not None and other != rule.second:
             return
@@ -121,5 +153,5 @@ class Told:
 
 
 def when_met(this: Body, event: str, second: Body | str | None, met: Met) -> None:
-    """Call `met(this, other)` on `event` ("on_collide", "on_separate") of `this` with `second`: a body, a tag, any."""
+    """Call `met(this, other)` on `event` ("on_collide", "on_enter") of `this` with `second`: a body, a tag, any."""
     Rule(event, None, second, met).watch(this)

@@ -7,7 +7,7 @@ from evilengine.script.lexer import Source, Token
 from evilengine.script.settings import Settings
 from evilengine.script.syntax import Block, Change, Expression, Identifier, New, Sounding, Spot, Text, TextLine
 from evilengine.script.word import Kind
-from evilengine.script.words import DRAWN, FUNCTIONS, KINDS, PROPERTY_WORDS, RESERVED, family_of, near_kind
+from evilengine.script.words import DRAWN, FUNCTIONS, KINDS, PROPERTY_WORDS, RESERVED, near_kind, placed
 from evilengine.values.level import Place
 
 
@@ -92,7 +92,7 @@ class Things(Settings):
         if drawn and kind is not None and kind.word not in DRAWN:
             hint = f"draw makes pictures of {', '.join(DRAWN)}"
             self.error("wrong-kind", f"a {kind.word} cannot be drawn", kind_place or place, hint)
-        family = "drawing" if drawn else family_of(kind) if kind else ""
+        family = "drawing" if drawn else kind.family if kind else ""
         name = self._name_of_new(family)
         sizes: tuple[Expression, ...] = ()
         corners: tuple[Spot, ...] = ()
@@ -174,12 +174,11 @@ class Things(Settings):
         if kind is None:
             return tuple(result)
         wanted = len(kind.sizes)
-        placed = kind.family in ("body", "medium")
-        allowed = (wanted, wanted + 2) if placed and wanted else (wanted,)
+        allowed = (wanted, wanted + 2) if placed(kind) else (wanted,)
         if len(result) in allowed:
             return tuple(result)
         form = _counted(wanted, names) if wanted else "no number here"
-        if placed:
+        if placed(kind):
             form += f", or {wanted + 2} with its place ({names.replace(' and ', ', ')}, x, y)"
         found = {0: "there is none"}.get(len(result), f"here {'is' if len(result) == 1 else 'are'} {len(result)}")
         where = self.span(start) if result else self.after_last()
@@ -191,24 +190,25 @@ class Things(Settings):
         start = self.token.start
         result: list[Spot] = []
         said = False
-        wanted = "each corner is two numbers, x and y, as in: 0 0, 1 0, 0.5 1"
+        word = "point" if kind.open else "corner"
+        wanted = f"each {word} is two numbers, x and y, as in: 0 0, 1 0, 0.5 1"
         while self.at_number():
             result.append(self.spot(wanted))
             if self.take(","):
                 if not self.at_number():
                     self.error(
-                        "odd-comma", "after this comma another corner is missing", self.last, "leave the comma out"
+                        "odd-comma", f"after this comma another {word} is missing", self.last, "leave the comma out"
                     )
                 continue
             if self.at_number() and not said:
                 said = True
                 self.error(
-                    "missing-comma", "a comma is missing between two corners", self.after_last(), "as in: 0 0, 1 0"
+                    "missing-comma", f"a comma is missing between two {word}s", self.after_last(), "as in: 0 0, 1 0"
                 )
         fewest, most = kind.corners or (0, 0)
         if not fewest <= len(result) <= most and not said:
             where = self.span(start) if result else self.after_last()
-            allowed = f"{fewest} corners" if fewest == most else f"{fewest} to {most} corners"
+            allowed = f"{fewest} {word}s" if fewest == most else f"{fewest} to {most} {word}s"
             found = "there is none" if not result else f"here {'is' if len(result) == 1 else 'are'} {len(result)}"
             self.error("wrong-count", f"a {kind.word} has {allowed}; {found}", where, f"as in: {kind.example}")
         return tuple(result)

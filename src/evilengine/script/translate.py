@@ -2,21 +2,13 @@
 
 from __future__ import annotations
 
-import keyword
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import PurePath
 
-from evilengine.script.blocks import changed, destroyed, has_tags, is_deferred, used
-from evilengine.script.python_values import PythonValues, imports, literal, quoted
+from evilengine.script.blocks import destroyed, is_deferred, used
+from evilengine.script.python_meetings import PythonMeetings
+from evilengine.script.python_values import imports, literal, quoted
 from evilengine.values import level as commands
-from evilengine.values.level import Block, Called, Command, LevelScript, Number, Tagged
-
-WIDTH = 120  # characters; a longer call is spread over several lines
-
-_TAKEN = {
-    "abs", "bool", "build", "contact", "cosine", "drawing", "evil", "game", "key", "max", "math", "min", "other",
-    "range", "int", "sine", "tags", "this", "touch", "when_met"}  # fmt: skip
+from evilengine.values.level import Block, Called, Command, LevelScript, Number
 
 
 def translate(level: LevelScript) -> str:
@@ -42,23 +34,8 @@ def translate(level: LevelScript) -> str:
     return Translator(level).program()
 
 
-class Translator(PythonValues):
+class Translator(PythonMeetings):
     """One method for each command."""
-
-    def __init__(self, level: LevelScript) -> None:
-        self._level = level
-        self._lines: list[str] = []
-        self._indent = 0
-        self._used = set(_TAKEN)
-        self._names: list[dict[str, str]] = [{}]
-        """What the level calls things -> what Python does, a dictionary for each block."""
-        self._sure: list[set[str]] = [set()]
-        """Python names of what cannot be gone: made in this function and not destroyed in it."""
-        self._maybe: set[str] = set()
-        """Python names that are None if what they need was gone."""
-        self._tags = has_tags(level.commands)
-        self._gap = False
-        """Whether a blank line belongs here: before and after a function."""
 
     def program(self) -> str:
         with self._deeper():
@@ -76,99 +53,6 @@ class Translator(PythonValues):
             begin = [f"    game.scenes({quoted(stem)})(lambda: build(game))", f"    game.go({quoted(stem)})"]
         lines += [f"    game = evil.Game({quoted(stem)})", *begin, "    game.run()", ""]
         return "\n".join(lines)
-
-    # Lines, names
-
-    def _line(self, text: str) -> None:
-        if self._gap and self._lines and not self._lines[-1].endswith(":"):
-            self._lines.append("")
-        self._gap = False
-        self._lines.append("    " * self._indent + text)
-
-    @contextmanager
-    def _deeper(self) -> Iterator[None]:
-        self._indent += 1
-        yield
-        self._indent -= 1
-
-    @contextmanager
-    def _scope(self, **known: str) -> Iterator[None]:
-        self._names.append(dict(known))
-        yield
-        self._names.pop()
-
-    def _fresh(self, wanted: str) -> str:
-        """A Python name of its own for everything, so that no closure sees another's value."""
-        name = wanted if wanted.isidentifier() and not keyword.iskeyword(wanted) else f"{wanted}_"
-        number = 2
-        while name in self._used:
-            name = f"{wanted}_{number}"
-            number += 1
-        self._used.add(name)
-        return name
-
-    def _make_name(self, name: str) -> str:
-        self._names[-1][name] = self._fresh(name)
-        return self._names[-1][name]
-
-    def called(self, name: str) -> str:
-        """The Python name of what a level calls `name`."""
-        for names in reversed(self._names):
-            if name in names:
-                return names[name]
-        return name
-
-    def _call(self, before: str, function: str, arguments: list[str], after: str = "") -> None:
-        """A call on one line, or with a line for each argument; several shapes are a list."""
-        line = f"{before}{function}({', '.join(arguments)}){after}"
-        if 4 * self._indent + len(line) <= WIDTH:
-            self._line(line)
-            return
-        self._line(f"{before}{function}(")
-        with self._deeper():
-            for argument in arguments:
-                self._line(f"{argument.replace('), evil.', '),' + chr(10) + '    ' * self._indent + ' evil.')},")
-        self._line(f"){after}")
-
-    @contextmanager
-    def _if_alive(self, *names: str) -> Iterator[None]:
-        """What follows happens only if all of these are there; nobody asks where that is sure."""
-        unsure = [name for name in names if name not in self._sure[-1]]
-        if not unsure:
-            yield
-            return
-        asked = [f"{name} is not None and {name}.alive" if name in self._maybe else f"{name}.alive" for name in unsure]
-        self._line(f"if {' and '.join(asked)}:")
-        with self._deeper():
-            yield
-
-    def _function(self, name: str, arguments: str, block: Block, *, by: str = "", first: str = "") -> None:
-        """A function that does what a block says; `by` decorates it, `first` is its first line, or a condition."""
-        self._gap = True
-        if by:
-            self._line(f"@{by}")
-        self._line(f"def {name}({arguments}):")
-        self._sure.append(set())
-        with self._deeper():
-            outer = sorted({self.called(each) for each in changed(block)})
-            if outer:
-                self._line(f"nonlocal {', '.join(outer)}")
-            if first.endswith(":"):
-                self._line(first)
-                with self._deeper():
-                    self._inner(block)
-            else:
-                if first:
-                    self._line(first)
-                self._inner(block)
-        self._sure.pop()
-        self._gap = True
-
-    def _inner(self, block: Block) -> None:
-        with self._scope():
-            self._block(block)
-        if not block:
-            self._line("pass")
 
     # Commands
 
@@ -194,6 +78,8 @@ class Translator(PythonValues):
                 self._line(f"game.random.seed({seed})")
             case commands.AddBody():
                 self._add_body(command)
+            case commands.AddCharacter() | commands.AddLadder() | commands.Drive() | commands.Tell():
+                self._character(command)
             case commands.AddDrawing():
                 arguments = [self.make(command.shape), *(self.option(each) for each in command.options)]
                 self._call(self._naming(command.name), "game.draw", arguments)
@@ -228,8 +114,10 @@ class Translator(PythonValues):
     def _structure(self, command: Command) -> None:
         """Commands with blocks."""
         match command:
-            case commands.OnContact():
-                self._on_contact(command)
+            case commands.OnMeeting():
+                self._on_meeting(command)
+            case commands.OnCharacter():
+                self._on_character(command)
             case commands.OnTouch():
                 self._on_touch(command)
             case commands.OnKey(key=key, block=block):
@@ -256,24 +144,11 @@ class Translator(PythonValues):
                         self._inner(otherwise)
                 self._sure[-1] &= sure
 
-    def _naming(self, name: str) -> str:
-        """`name = ` for something that is made here and has a name."""
-        if not name:
-            return ""
-        made = self._make_name(name)
-        self._sure[-1].add(made)
-        return f"{made} = "
-
     def _add_body(self, command: commands.AddBody) -> None:
         shapes = [self.make(each) for each in command.shapes]
         shape = shapes[0] if len(shapes) == 1 else f"[{', '.join(shapes)}]"
-        tagged = self._tags and any(option.name == "tag" for option in command.options)
         arguments = [shape, *(self.option(each) for each in command.options)]
-        before = self._naming(command.name)
-        if tagged:
-            self._call(f"{before}tags.add(", "game.add", arguments, ")")
-        else:
-            self._call(before, "game.add", arguments)
+        self._add_tagged(command.name, "game.add", arguments, command.options)
 
     def _add_force(self, command: commands.AddForce) -> None:
         bodies = [self.called(each.name) for each in command.bodies]
@@ -337,62 +212,22 @@ class Translator(PythonValues):
     def _set(self, command: commands.SetProperty) -> None:
         name, attribute = self.called(command.target.name), command.property
         value = self.angle(command.value) if "ang" in attribute else self.value(command.value)
+        if command.part == "character":
+            with self._as_character(name) as character:
+                self._line(f"{character}.{attribute} = {value}")
+            return
         with self._if_alive(name):
             if attribute == "tag" and self._tags:
                 self._line(f"tags.change({name}, {value})")
                 return
             if attribute == "hidden":
                 attribute, value = "visible", repr(not command.value)
-            if command.of_drawings:
+            if command.part == "drawings":
                 self._line(f"for drawing in {name}.drawings:")
                 with self._deeper():
                     self._line(f"drawing.{attribute} = {value}")
             else:
                 self._line(f"{name}.{attribute} = {value}")
-
-    def _on_contact(self, command: commands.OnContact) -> None:
-        event = "on_collide" if command.begins else "on_separate"
-        first, second = command.first, command.second
-        if isinstance(first, Called) and not isinstance(second, Tagged):
-            self._on_contact_of(event, self.called(first.name), command)
-            return
-        names = [self.called(each.name) for each in (first, second) if isinstance(each, Called)]
-        with self._if_alive(*names):
-            name = self._fresh("met")
-            with self._scope(this="this", other="other"):
-                self._function(name, "this, other", command.block)
-            with_what = quoted(second.tag) if isinstance(second, Tagged) else names[-1] if second else "None"
-            if isinstance(first, Tagged):
-                self._line(f"tags.{event}({quoted(first.tag)}, {with_what}, {name})")
-            else:
-                self._line(f"when_met({names[0]}, {quoted(event)}, {with_what}, {name})")
-
-    def _on_contact_of(self, event: str, first: str, command: commands.OnContact) -> None:
-        """A contact of two things, or of one with anything: a callback of the first."""
-        second = self.called(command.second.name) if isinstance(command.second, Called) else ""
-        with self._if_alive(*(name for name in (first, second) if name)):
-            uses_other = Called("other") in used(command.block)
-            start = f"other = contact.other({first})" if uses_other else ""
-            if second:
-                start = f"if contact.other({first}) == {second}:"
-            name = self._fresh(f"{first}_{'meets' if command.begins else 'leaves'}_{second or 'something'}")
-            with self._scope(this=first, other=second or "other"):
-                self._function(name, "contact", command.block, by=f"{first}.{event}", first=start)
-
-    def _on_touch(self, command: commands.OnTouch) -> None:
-        began = 'if touch.phase == "began":'
-        if isinstance(command.first, Tagged):
-            name = self._fresh("touched")
-            with self._scope(this="this"):
-                self._function(name, "this", command.block)
-            self._line(f"tags.on_touch({quoted(command.first.tag)}, {name})")
-        elif command.first is None:
-            self._function(self._fresh("when_touched"), "touch", command.block, by="game.on_touch", first=began)
-        else:
-            first = self.called(command.first.name)
-            with self._if_alive(first), self._scope(this=first):
-                name = self._fresh(f"when_{first}_is_touched")
-                self._function(name, "touch", command.block, by=f"{first}.on_touch", first=began)
 
     def _every(self, command: commands.Every) -> None:
         seconds, name = self.number(command.seconds), self._fresh("again")

@@ -135,6 +135,10 @@ class Kind(Word):
     sizes: tuple[Size, ...] = ()
     corners: tuple[int, int] | None = None
     """(fewest, most) corners, for kinds that are a list of points."""
+    open: bool = False
+    """Its points are a path rather than corners round a shape."""
+    shaped: tuple[str, ...] = ()
+    """Which properties of shapes it takes."""
     needs: tuple[str, ...] = ()
 
 
@@ -151,8 +155,8 @@ class Property(Word):
     range: Range = ANY
     settable: str = ""
     """The attribute that `set` changes while the level plays; empty when it cannot be changed."""
-    of_drawings: bool = False
-    """Whether it is how a thing looks, which is its drawings' business."""
+    part: str = ""
+    """Whose it is, if not the thing's as a whole: "drawings" for looks, "shape" for what only some kinds have."""
     spellings: tuple[str, ...] = ()
     """Other spellings that mean the same and are no error."""
 

@@ -13,10 +13,10 @@ from collections.abc import Iterable, Mapping
 
 from evilengine.script.kinds import KINDS
 from evilengine.script.properties import PROPERTIES
-from evilengine.script.statements import ARITY, EVENT_MEANT, EVENTS, FUNCTIONS, STATEMENTS
+from evilengine.script.statements import ARITY, CHARACTER_EVENTS, EVENT_MEANT, EVENTS, FUNCTIONS, MEETINGS, STATEMENTS
 from evilengine.script.word import Kind, Property, Word
 
-DRAWN = ("rectangle", "circle", "triangle", "polygon")
+DRAWN = ("rectangle", "circle", "triangle", "polygon", "capsule", "segment", "chain")
 """The kinds that `draw` knows."""
 PROPERTY_WORDS = frozenset(word for each in PROPERTIES for word in (each.word, *each.spellings))
 JOINING_WORDS = frozenset({"times", "as", "else", "and", "or", "not"})
@@ -27,22 +27,25 @@ RESERVED = frozenset(STATEMENTS) | frozenset(KINDS) | PROPERTY_WORDS | JOINING_W
 
 def property_of(word: str, family: str) -> Property | None:
     """The property that `word` means for something of this family."""
-    families = ("body", "walls") if family == "walls" else (family,)
     for each in PROPERTIES:
-        if (each.word == word or word in each.spellings) and not set(families).isdisjoint(each.families):
+        if (each.word == word or word in each.spellings) and family in each.families:
             return each
     return None
 
 
 def properties_of(family: str) -> list[Property]:
-    """Every property that something of this family takes."""
-    families = ("body", "walls") if family == "walls" else (family,)
-    return [each for each in PROPERTIES if not set(families).isdisjoint(each.families)]
+    """Every property that something of this family may take; some of shapes are for some kinds only."""
+    return [each for each in PROPERTIES if family in each.families]
 
 
-def family_of(kind: Kind) -> str:
-    """The family whose properties a kind takes: walls take one more than other bodies."""
-    return "walls" if kind.word == "walls" else kind.family
+def takes(kind: Kind, entry: Property) -> bool:
+    """Whether a property of its family is one of this kind's."""
+    return entry.part != "shape" or entry.word in kind.shaped
+
+
+def placed(kind: Kind) -> bool:
+    """Whether its place may follow its sizes, as in `new rectangle 2 1 0 4`."""
+    return bool(kind.sizes) and property_of("at", kind.family) is not None
 
 
 def near(wrong: str, words: Iterable[str], meant: Mapping[str, str] | None = None) -> str | None:
@@ -87,7 +90,7 @@ def near_property(wrong: str, family: str) -> str | None:
 
 
 __all__ = [
-    "ARITY", "DRAWN", "EVENTS", "EVENT_MEANT", "EVENT_NAMES", "FUNCTIONS", "JOINING_WORDS", "KINDS", "PROPERTIES",
-    "PROPERTY_WORDS", "RESERVED", "STATEMENTS", "family_of", "meant_for", "near", "near_kind", "near_property",
-    "near_statement", "properties_of", "property_of",
+    "ARITY", "CHARACTER_EVENTS", "DRAWN", "EVENTS", "EVENT_MEANT", "EVENT_NAMES", "FUNCTIONS", "JOINING_WORDS", "KINDS",
+    "MEETINGS", "PROPERTIES", "PROPERTY_WORDS", "RESERVED", "STATEMENTS", "meant_for", "near", "near_kind",
+    "near_property", "near_statement", "placed", "properties_of", "property_of", "takes",
 ]  # fmt: skip

@@ -11,104 +11,48 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from evilengine.values.diagnostics import Diagnostic
-
-
-@dataclass(frozen=True, slots=True)
-class Place:
-    """Where in a level file something is written. Line and column count from 1."""
-
-    line: int
-    column: int
-    length: int = 1
-
-
-# Numbers that are known while the level plays ------------------------------------------------------------------------
-
-
-@dataclass(frozen=True, slots=True)
-class Name:
-    """The present value of a counter or of a number made by `let`."""
-
-    name: str
-
-
-@dataclass(frozen=True, slots=True)
-class Formula:
-    """A function of other numbers: `add`, `random`, `radians`, ... (script/arithmetic.py has them all)."""
-
-    function: str
-    arguments: tuple[Number, ...]
-    place: Place
-
-
-Number: TypeAlias = float | Name | Formula
-
-
-@dataclass(frozen=True, slots=True)
-class Pair:
-    """A point or a direction."""
-
-    x: Number
-    y: Number
-
-
-@dataclass(frozen=True, slots=True)
-class Called:
-    """The body, force or text that a level calls by this name; `this` and `other` inside an event."""
-
-    name: str
-
-
-@dataclass(frozen=True, slots=True)
-class Corners:
-    """The corners of a polygon or triangle, in the body's own coordinates."""
-
-    points: tuple[Pair, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Area:
-    """The edges of an upright rectangle."""
-
-    left: Number
-    bottom: Number
-    right: Number
-    top: Number
-
-
-Value: TypeAlias = Number | Pair | Corners | Area | Called | str | bool | int
-
-
-@dataclass(frozen=True, slots=True)
-class Option:
-    """`name=value` of a call."""
-
-    name: str
-    value: Value
-
-
-@dataclass(frozen=True, slots=True)
-class Make:
-    """A value of the engine: `evil.<type>(*arguments, **options)`."""
-
-    type: str
-    arguments: tuple[Value, ...] = ()
-    options: tuple[Option, ...] = ()
-
-
-FARTHEST_LIMIT = 100_000.0
-"""Radians or metres: the end of a joint's range that a level leaves open."""
-
-
-@dataclass(frozen=True, slots=True)
-class Tagged:
-    """Every body that carries this tag, also those made later."""
-
-    tag: str
-
-
-Target: TypeAlias = Called | Tagged
-
+from evilengine.values.level_values import (
+    FARTHEST_LIMIT as FARTHEST_LIMIT,
+)
+from evilengine.values.level_values import (
+    Area as Area,
+)
+from evilengine.values.level_values import (
+    Called as Called,
+)
+from evilengine.values.level_values import (
+    Corners as Corners,
+)
+from evilengine.values.level_values import (
+    Formula as Formula,
+)
+from evilengine.values.level_values import (
+    Make as Make,
+)
+from evilengine.values.level_values import (
+    Name as Name,
+)
+from evilengine.values.level_values import (
+    Number as Number,
+)
+from evilengine.values.level_values import (
+    Option as Option,
+)
+from evilengine.values.level_values import (
+    Pair as Pair,
+)
+from evilengine.values.level_values import (
+    Place as Place,
+)
+from evilengine.values.level_values import (
+    Tagged as Tagged,
+)
+from evilengine.values.level_values import (
+    Target as Target,
+)
+from evilengine.values.level_values import (
+    Value as Value,
+)
 
 # Commands ------------------------------------------------------------------------------------------------------------
 
@@ -156,6 +100,44 @@ class AddBody:
     name: str
     shapes: tuple[Make, ...]
     options: tuple[Option, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class AddCharacter:
+    """A character of that shape; `options` go to `game.add_character`. Its name stands for its body."""
+
+    place: Place
+    name: str
+    shape: Make
+    options: tuple[Option, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class AddLadder:
+    """An area where the characters of `bodies` climb; of none of them, all that there are."""
+
+    place: Place
+    area: Area
+    bodies: tuple[Called, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Drive:
+    """Lets the player's keys steer the character of `target` (None: nobody); `keys` are those that are not usual."""
+
+    place: Place
+    target: Called | None
+    keys: tuple[tuple[str, tuple[str, ...]], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Tell:
+    """Calls `what` of the character of `target`, such as "jump", with `value` if there is one."""
+
+    place: Place
+    target: Called
+    what: str
+    value: Number | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -249,13 +231,14 @@ class SetNumber:
 
 @dataclass(frozen=True, slots=True)
 class SetProperty:
-    """Changes `property` of what is called `target`, or of its drawings; nothing, when that is gone."""
+    """Changes `property` of what is called `target`, or of a part of it; nothing, when that is gone."""
 
     place: Place
     target: Called
     property: str
     value: Value
-    of_drawings: bool = False
+    part: str = ""
+    """"drawings", "character", or "" for the thing itself."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -274,11 +257,11 @@ class Impulse:
 
 
 @dataclass(frozen=True, slots=True)
-class OnContact:
-    """When contact of `first` with `second` (None: with anything) begins, or ends."""
+class OnMeeting:
+    """When `event` ("on_collide", "on_separate", "on_enter", "on_leave") is of `first` with `second` (None: any)."""
 
     place: Place
-    begins: bool
+    event: str
     first: Target
     second: Target | None
     block: Block
@@ -290,6 +273,16 @@ class OnTouch:
 
     place: Place
     first: Target | None
+    block: Block
+
+
+@dataclass(frozen=True, slots=True)
+class OnCharacter:
+    """When `event` ("on_land", "on_jump", "on_crush") comes to a character."""
+
+    place: Place
+    event: str
+    first: Target
     block: Block
 
 
@@ -340,6 +333,10 @@ class If:
     otherwise: Block
 
 
+Rule: TypeAlias = OnMeeting | OnTouch | OnCharacter | OnKey | OnShake
+"""What waits for an event, for good."""
+Waiting: TypeAlias = Rule | After | Every
+"""What has a block that is carried out later."""
 Command: TypeAlias = (
     SetGravity
     | SetView
@@ -347,6 +344,10 @@ Command: TypeAlias = (
     | SetBackground
     | SetSeed
     | AddBody
+    | AddCharacter
+    | AddLadder
+    | Drive
+    | Tell
     | AddDrawing
     | AddForce
     | AddJoint
@@ -360,12 +361,7 @@ Command: TypeAlias = (
     | SetProperty
     | Destroy
     | Impulse
-    | OnContact
-    | OnTouch
-    | OnKey
-    | OnShake
-    | After
-    | Every
+    | Waiting
     | Repeat
     | If
 )
