@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import io
 from collections.abc import Callable
 from pathlib import Path
 
 import PIL.Image
 import PIL.ImageDraw
+import PIL.ImageFont
 
 import evilengine as evil
 
@@ -25,6 +27,10 @@ def paint_pictures(folder: Path) -> None:
     panel = PIL.Image.new("RGBA", (48, 48))
     PIL.ImageDraw.Draw(panel).rounded_rectangle((0, 0, 47, 47), 12, fill="#2c3a63f0", outline="#d9b65a", width=4)
     panel.save(folder / "panel.png")
+    face = PIL.ImageFont.load_default(20)
+    assert isinstance(face, PIL.ImageFont.FreeTypeFont)
+    assert isinstance(face.path, io.BytesIO)
+    (folder / "title.ttf").write_bytes(face.path.getvalue())
     brick = PIL.Image.new("RGBA", (32, 32), "#8a4b3a")
     draw = PIL.ImageDraw.Draw(brick)
     for line in ((0, 0, 31, 0), (0, 16, 31, 16), (8, 0, 8, 16), (24, 16, 24, 31)):
@@ -53,7 +59,15 @@ def blends(game: evil.Game) -> None:
         game.draw(evil.Rectangle(0.3, 0.8), at=(x, -0.6), angle=0.5, texture="coin.png", blend=blend)
 
 
-LOOKS: dict[str, Draw] = {"looks_sheets": sheets, "looks_blends": blends}
+def letters(game: evil.Game) -> None:
+    game.text("AVATAR To Wave", at=(8, 4), size=22, font="title.ttf", colour="#ffe9b0")
+    story = ["The ", ("lamp", "gold"), " swings in the ", ("wind", "#6cc4ff"), ", and the long shadows swing along."]
+    game.text(story, at=(8, 36), size=11, width=110, align="left")
+    game.text("Words that end\ntogether", at=(8, 8), size=12, anchor="bottom right", font="title.ttf")
+    game.text("in the middle\nof its block", at=(8, 40), size=11, anchor="top right", align="centre", colour="#9fe8a8")
+
+
+LOOKS: dict[str, Draw] = {"looks_sheets": sheets, "looks_blends": blends, "looks_letters": letters}
 
 
 def played(name: str, renderer: str, folder: Path) -> evil.Game:

@@ -1,16 +1,19 @@
-"""Fonts: the built-in typeface at any size, as one picture of all its characters.
+"""Fonts: the built-in typeface or a file's, at any size, as one picture of its characters.
 
 Pillow's typeface is Latin without accents, so letters such as a-ring are put together here from what it has.
 """
 
 from __future__ import annotations
 
+import functools
 import unicodedata
+from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from evilengine.values import picture_files
-from evilengine.values.checks import number
+from evilengine.values.checks import did_you_mean, number
 from evilengine.values.errors import AssetError
 from evilengine.values.font import Font, Glyph
 
@@ -42,23 +45,48 @@ MARGIN = 1
 SMALLEST, LARGEST = 4, 512
 
 
+FILES = (".ttf", ".otf", ".ttc")
+"""How files of typefaces end."""
+
+MOST_CHARACTERS = 5000
+"""Of one font: beyond, its picture would grow past what a graphics card holds. Others are shown as the box."""
+
+
 class Fonts:
-    """Makes each size of the built-in typeface once.
+    """Makes each size of each typeface once, and again when it is asked for characters that it does not have yet.
 
     >>> font = Fonts().load(16)
     >>> font.glyphs["i"].advance < font.glyphs["m"].advance
     True
     """
 
-    def __init__(self) -> None:
-        self._made: dict[int, Font] = {}
+    def __init__(self, *folders: Path) -> None:
+        self.folders = folders
+        self._made: dict[tuple[str | None, int], Font] = {}
 
-    def load(self, size: float = 16) -> Font:
-        """The typeface at `size` pixels, rounded to a whole number from 4 to 512."""
+    def load(self, size: float = 16, name: str | None = None, characters: str = "") -> Font:
+        """A typeface at `size` pixels, rounded to a whole number from 4 to 512: the built-in one, or that of a file.
+
+        That of a file has `characters` beside those of European languages. Raises AssetError if it cannot be had.
+        """
         pixels = round(number(size, "Fonts.load", "size", least=SMALLEST, most=LARGEST))
-        if pixels not in self._made:
-            self._made[pixels] = _make(pixels)
-        return self._made[pixels]
+        made = self._made.get((name, pixels))
+        if made is None or (name is not None and not made.glyphs.keys() >= set(characters) - {"\n"}):
+            known = CHARACTERS if made is None else "".join(made.glyphs)
+            wanted = dict.fromkeys(known + characters.replace("\n", "") if name else known)
+            face = _face(pixels) if name is None else _face_of(self.find(name), pixels)
+            made = self._made[name, pixels] = _make(face, pixels, list(wanted)[:MOST_CHARACTERS])
+        return made
+
+    def find(self, name: str) -> Path:
+        """The file of the typeface called `name`. Raises AssetError, with the nearest name, if there is none."""
+        for folder in self.folders:
+            if (folder / name).is_file():
+                return folder / name
+        near = [file.name for folder in self.folders if folder.is_dir() for file in sorted(folder.iterdir())]
+        searched = " or ".join(map(str, self.folders))
+        fonts = [each for each in near if each.lower().endswith(FILES)]
+        raise AssetError(f"font {name!r}: there is no such file in {searched}{did_you_mean(name, fonts)}")
 
 
 @dataclass(slots=True)
@@ -80,11 +108,11 @@ class _Cell:
         return self.top + self.shape.height
 
 
-def _make(size: int) -> Font:
+def _make(face: FreeTypeFont, size: int, characters: list[str]) -> Font:
     from PIL import Image
 
-    pen = _Pen(size)
-    cells = {character: pen.draw(character) for character in CHARACTERS}
+    pen = _Pen(face, size)
+    cells = {character: pen.draw(character) for character in characters}
     cells[UNKNOWN] = pen.box()
     width, height = _pack(cells)
     shapes = Image.new("L", (width, height))
@@ -98,15 +126,26 @@ def _make(size: int) -> Font:
     atlas = Image.new("RGBA", (width, height), (255, 255, 255, 0))
     atlas.putalpha(shapes)
     ascent, descent = pen.face.getmetrics()
-    return Font(size, float(ascent), float(ascent + descent), picture_files.from_pillow(atlas), glyphs)
+    picture = picture_files.from_pillow(atlas)
+    return Font(size, float(ascent), float(ascent + descent), picture, glyphs, _kerning(face))
+
+
+def _kerning(face: FreeTypeFont) -> Callable[[str, str], float]:
+    """What a pair of letters is narrower than the two apart; worked out when it is first asked for."""
+
+    @functools.lru_cache(maxsize=20_000)
+    def kerning(before: str, letter: str) -> float:
+        return float(face.getlength(before + letter) - face.getlength(before) - face.getlength(letter))
+
+    return kerning
 
 
 class _Pen:
     """Draws characters at one size."""
 
-    def __init__(self, size: int) -> None:
+    def __init__(self, face: FreeTypeFont, size: int) -> None:
         self.size = size
-        self.face = _face(size)
+        self.face = face
         self._missing = bytes(self.face.getmask("\uffff"))
         self._stroke = max(1, size // 16)
 
@@ -195,6 +234,15 @@ def _face(size: int) -> FreeTypeFont:
     if not isinstance(face, ImageFont.FreeTypeFont):
         raise AssetError("built-in font: this Pillow lacks FreeType; install Pillow from PyPI, whose wheels have it")
     return face
+
+
+def _face_of(file: Path, size: int) -> FreeTypeFont:
+    from PIL import ImageFont
+
+    try:
+        return ImageFont.truetype(str(file), size, layout_engine=ImageFont.Layout.BASIC)
+    except (OSError, ValueError) as problem:
+        raise AssetError(f"font {file.name!r} ({file}): this is no typeface that can be read: {problem}") from problem
 
 
 def _pack(cells: dict[str, _Cell]) -> tuple[int, int]:

@@ -51,10 +51,10 @@ class Pictures:
         self.images = images
         self._textures = textures
         self._scale = scale
-        self._all_fonts = Fonts()
+        self._all_fonts = Fonts(*images.folders)
         self._shown: dict[tuple[Path, Grid | None], _Shown] = {}
         self._by_name: dict[str | Grid, _Shown] = {}
-        self._fonts: dict[int, tuple[int, Font]] = {}
+        self._fonts: dict[tuple[str | None, int], tuple[int, Font]] = {}
         self._unsaid: list[str] = []  # what another screen's pictures brought up, for the next reload to say
 
     @property
@@ -78,12 +78,17 @@ class Pictures:
         """Width and height of an image, or of each frame of a sheet, in logical points. Raises AssetError likewise."""
         return self._show(what).points
 
-    def font(self, pixels: int) -> tuple[int, Font]:
-        """The texture id and the font of a height in pixels."""
-        if pixels not in self._fonts:
-            font = self._all_fonts.load(pixels)
-            self._fonts[pixels] = self._textures.upload(font.image), font
-        return self._fonts[pixels]
+    def font(self, pixels: int, name: str | None = None, characters: str = "") -> tuple[int, Font]:
+        """The texture id and the font of a height in pixels: the engine's own, or that of a file, which has
+        `characters`. Raises AssetError if it cannot be had."""
+        font = self._all_fonts.load(pixels, name, characters)
+        texture, shown = self._fonts.get((name, pixels), (0, None))
+        if shown is None:
+            texture = self._textures.upload(font.image)
+        elif shown is not font:
+            self._textures.update(texture, font.image)
+        self._fonts[name, pixels] = texture, font
+        return texture, font
 
     def reload(self) -> list[str]:
         """Show the images whose files have changed as they are now.

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from evilengine.scene.text import Fonts, layout
+from evilengine.scene.text import Fonts
+from evilengine.scene.typeset import layout
 from evilengine.values.colour import to_colour
 from evilengine.values.vec2 import Vec2
 

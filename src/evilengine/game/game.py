@@ -22,7 +22,7 @@ from evilengine.game.things import Things
 from evilengine.platform import Device, HeadlessDevice
 from evilengine.renderer import open_renderer
 from evilengine.save import Functions, Recorder, Replay, Slots
-from evilengine.scene import Camera, DrawnBody, Scene
+from evilengine.scene import Camera, DrawnBody, Panel, Scene
 from evilengine.timer import Clock, Schedule
 from evilengine.values.callbacks import Callbacks
 from evilengine.values.checks import known_keywords, number
@@ -107,6 +107,9 @@ class Game(Life, GameScreen, Controls, Things):
         self.camera.size = self.device.size
         self._pictures = Pictures(self.renderer, Images(self.folder, Path.cwd()), scale=self.device.scale)
         self.scene = Scene(self.world, textures=self._pictures.texture, fonts=self._pictures.font)
+        self.panel = Panel(lambda: self._inputs.pointer)
+        """Values and knobs on the screen for who makes the game; see Panel."""
+        self.scene.panels.append(self.panel.draw)
         self.timer = Schedule(lambda: self.world.steps)
         output = for_device(output, self.device)
         self.audio = Audio(self.folder, Path.cwd(), SHIPPED, output=output, clock=lambda: self.world.steps)

@@ -236,6 +236,7 @@ def clear(game: Game, to: Visit | None) -> None:
         callbacks.become(functions)
     game.world.restore(game._blank)
     game.scene.clear()
+    game.panel.clear()
     game.timer.clear()
     own = settings_of(game)
     game.world.gravity, game.world.sleep, game.scene.background = own.gravity, own.sleep, own.background

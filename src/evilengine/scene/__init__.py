@@ -5,6 +5,7 @@ from evilengine.scene.debug import DebugView
 from evilengine.scene.drawing import Drawing
 from evilengine.scene.drawn_body import LOOKS, DrawnBody
 from evilengine.scene.layers import Layer, Layers
+from evilengine.scene.panel import Panel
 from evilengine.scene.particles import Emitter
 from evilengine.scene.post import Post
 from evilengine.scene.scene import Scene
@@ -19,6 +20,7 @@ __all__ = [
     "Emitter",
     "Layer",
     "Layers",
+    "Panel",
     "Post",
     "Scene",
     "Text",

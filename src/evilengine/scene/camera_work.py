@@ -92,6 +92,7 @@ class CameraWork:
         camera comes after it, most of the way in `smoothing` seconds; 0 keeps it exactly there. `offset` metres from it
         is what is looked at, as to see more of the way ahead. `jump=True` is there at once.
 
+        >>> from evilengine.scene import Camera
         >>> camera = Camera((960, 540)); world = evil.World(gravity=(0, 0))
         >>> hero = world.add(evil.Circle(0.5), at=(10, 0))
         >>> camera.follow(hero, dead_zone=(4, 4), jump=True); camera.position
@@ -158,6 +159,7 @@ class CameraWork:
     ) -> None:
         """Go to another view in that time, softly; what is left out stays as it is. It follows nobody meanwhile.
 
+        >>> from evilengine.scene import Camera
         >>> camera = Camera((960, 540)); camera.glide((4, 0), zoom=2, seconds=1.0)
         >>> for _ in range(30): camera.step()
         >>> camera.position, camera.zoom

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeAlias
 
 from evilengine.scene.camera import Matrix6
-from evilengine.scene.text import Fonts, layout
+from evilengine.scene.text import Fonts
+from evilengine.scene.typeset import layout
 from evilengine.values.checks import one_of
 from evilengine.values.colour import ColourLike, to_colour
 from evilengine.values.vec2 import Vec2
@@ -165,7 +166,7 @@ class DebugView:
         texture, font = fonts(max(round(LEGEND_SIZE * scale), 6))
         left, line = float(round(MARGIN * scale)), font.line_height
         top = float(round(screen[1] - MARGIN * scale - line))
-        rows = [(colour, *layout(font, word, 0.0)) for colour, word in words]
+        rows = [(colour, *layout(font, word)) for colour, word in words]
         swatch, gap = round(0.7 * line), round(0.5 * line)
         width = sum(extent[0] + gap * 2 + (swatch if colour else 0) for colour, _, extent in rows)
         core.box(left - gap, top - 0.3 * line, left + width, top + 1.3 * line, _packed("#000000a0"))

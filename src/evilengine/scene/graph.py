@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection
 from typing import TYPE_CHECKING
 
-from evilengine.scene.text import Fonts, layout
+from evilengine.scene.text import Fonts
+from evilengine.scene.typeset import layout
 from evilengine.values.colour import to_colour
 from evilengine.values.frame import FrameTimes
 from evilengine.values.tick import STEP
@@ -53,7 +54,7 @@ def _legend(
     core.box(x, y, x + width, at[1], _packed("#000000a0"))
     x += 4.0 * scale
     for (name, colour), mean in zip(COLOURS.items(), means, strict=True):
-        glyphs, extent = layout(font, f"{name} {mean:.1f}", 0.0)
+        glyphs, extent = layout(font, f"{name} {mean:.1f}")
         core.glyphs(glyphs, round(x), round(y), texture, _packed("#aeb8cc" if name == "present" else colour))
         x += max(extent[0] + 6.0 * scale, width / len(COLOURS))
 

@@ -25,7 +25,10 @@ def state_of(scene: Scene) -> tuple[bytes, dict[str, Any]]:
     """Every drawing as bytes, and the rest: names of images, background, texts."""
     drawings, textures, clips = scene._core.snapshot(scene.world._core)
     texts = [
-        [text._serial, text.text, list(text.at), text.size, list(text.colour), text.anchor, bool(text.visible)]
+        [
+            *(text._serial, [[letters, colour and list(colour)] for letters, colour in text._pieces], list(text.at)),
+            *(text.size, list(text.colour), text.anchor, bool(text.visible), text.font, text.width, text.align),
+        ]
         for text in scene._texts
         if text.alive
     ]
@@ -116,8 +119,9 @@ class SceneState:
         known = {text._serial: text for text in scene._texts if text.alive}
         for serial, saved in self._texts.items():
             text = known.pop(serial, saved)
-            for part in ("text", "at", "size", "colour", "anchor", "visible"):
+            for part in ("at", "size", "colour", "anchor", "visible", "font", "width", "align"):
                 setattr(text, part, getattr(saved, part))
+            text._pieces = saved._pieces
             texts.append(text)
         for text in known.values():
             text.destroy()
@@ -180,5 +184,8 @@ def _clip(row: list[Any]) -> Clip:
 
 
 def _text(row: list[Any]) -> Text:
-    serial, text, at, size, colour, anchor, visible = row
-    return Text(str(text), at, size, Colour(*colour), anchor, bool(visible), serial=int(serial))
+    serial, pieces, at, size, colour, anchor, visible, font, width, align = row
+    text = [(str(letters), None if own is None else Colour(*own)) for letters, own in pieces]
+    shown = Text(text, at, size, Colour(*colour), anchor, bool(visible), serial=int(serial))
+    shown.font, shown.width, shown.align = font, width, align
+    return shown

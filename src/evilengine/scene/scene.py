@@ -194,10 +194,20 @@ class Scene:
         colour: ColourLike = "white",
         anchor: str = "top left",
         visible: bool = True,
+        font: str | None = None,
+        width: float | None = None,
+        align: str | None = None,
     ) -> Text:
-        """Put a line of text on the screen; see Text. `at` and `size` are logical points."""
-        self._require_fonts("Scene.text")
-        line = Text(text, at, size, colour, anchor, visible, serial=self._texts_made)
+        """Put text on the screen; see Text. `at`, `size` and `width` are logical points, `font` is a file (.ttf, .otf).
+
+        Raises AssetError for a font that cannot be had.
+        """
+        fonts = self._require_fonts("Scene.text")
+        line = Text(
+            text, at, size, colour, anchor, visible, serial=self._texts_made, font=font, width=width, align=align
+        )
+        if font is not None:
+            fonts(round(line.size), font, line.text)  # an error now is better than one in every frame
         self._texts_made += 1
         self._texts.append(line)
         return line
@@ -248,9 +258,10 @@ class Scene:
         self._texts, self._restored, self._from_palette, self.background = [], {}, 0, BACKGROUND
         self._restores += 1
 
-    def _require_fonts(self, owner: str) -> None:
+    def _require_fonts(self, owner: str) -> Fonts:
         if self._fonts is None:
             raise ArgumentError(f"{owner}: this scene was given no fonts; Scene(fonts=...) takes them")
+        return self._fonts
 
     def collect(
         self,

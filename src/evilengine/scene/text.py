@@ -2,21 +2,32 @@
 
 from __future__ import annotations
 
-from array import array
-from collections.abc import Callable
-from typing import TYPE_CHECKING, TypeAlias
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
 
+from evilengine.scene.typeset import Block, Piece, typeset
 from evilengine.values.checks import number, one_of
 from evilengine.values.colour import BLACK, Colour, ColourLike, to_colour
-from evilengine.values.errors import ArgumentError, StaleReferenceError
+from evilengine.values.errors import ArgumentError, ArgumentTypeError, StaleReferenceError
 from evilengine.values.font import Font
 from evilengine.values.vec2 import Point, Vec2, to_vec2
 
 if TYPE_CHECKING:
     from evilengine._core import Scene as CoreScene
 
-Fonts: TypeAlias = Callable[[int], tuple[int, Font]]
-"""Gives the texture id and the glyphs of a font for a height in real pixels; it keeps what it made."""
+
+class Fonts(Protocol):
+    """Who makes fonts for a scene, and keeps what was made."""
+
+    def __call__(self, pixels: int, name: str | None = None, characters: str = "") -> tuple[int, Font]:
+        """The texture id and the glyphs of a font, for a height in real pixels: the engine's own, or a file's.
+
+        A font of a file has `characters` and all that it was ever asked for. Raises AssetError if it cannot be had.
+        """
+
+
+Pieces: TypeAlias = "Sequence[str | tuple[str, ColourLike]]"
+"""Text in several colours: letters, or letters with a colour."""
 
 SMALLEST, LARGEST = 4, 400  # real pixels: below, nothing can be read; above, the picture of the glyphs grows past 4096
 SHADOW = BLACK.with_alpha(0.45)  # under each glyph, so that text can be read on anything
@@ -37,41 +48,61 @@ ANCHORS: dict[str, tuple[float, float]] = {
 }
 
 
+ALIGNMENTS = {"left": 0.0, "centre": 0.5, "right": 1.0}
+"""For each alignment: which part of the room left in a line lies before it."""
+
+
 class Text:
-    """A line of text on the screen (or several, with newlines), made by `scene.text` or `game.text`.
+    """Text on the screen, made by `scene.text` or `game.text`: a line, or several.
 
     `at` counts in logical points from the `anchor` of the screen inwards: `anchor="top right", at=(16, 16)` keeps the
-    text's own top right corner 16 points from that corner of the screen, whatever the size of either.
+    text's own top right corner 16 points from that corner of the screen, whatever the size of either. Lines break
+    where it says so, and where they would be wider than `width` points; `align` says where they begin.
     """
 
     __slots__ = (
-        "_alive", "_anchor", "_at", "_boxes", "_colour", "_drawn", "_extent", "_serial", "_size", "_text", "visible",
-    )  # fmt: skip
+        *("_align", "_alive", "_anchor", "_at", "_block", "_colour", "_drawn", "_font", "_pieces", "_serial", "_size"),
+        *("_width", "visible"),
+    )
 
     def __init__(
-        self, text: object, at: Point, size: float, colour: ColourLike, anchor: str, visible: bool, serial: int = -1
+        self,
+        text: object,
+        at: Point,
+        size: float,
+        colour: ColourLike,
+        anchor: str,
+        visible: bool,
+        serial: int = -1,
+        *,
+        font: str | None = None,
+        width: float | None = None,
+        align: str | None = None,
     ) -> None:
         self._alive = True
         self._serial = serial  # order of creation in its scene, never used again
-        self._drawn: tuple[str, int, float] | None = None  # text, font size and alignment that _boxes were made for
-        self._boxes = b""
-        self._extent = (0.0, 0.0)
+        self._drawn: tuple[Any, ...] | None = None  # what _block was made for
+        self._block = Block({}, 0.0, 0.0)
         self.text = text
         self.at = at
         self.size = size
         self.colour = colour
         self.anchor = anchor
+        self.font = font
+        self.width = width
+        self.align = align
         self.visible = visible
 
     @property
     def text(self) -> str:
-        """What is shown; set it to anything, numbers too."""
-        return self._text
+        """What is shown; set it to anything, numbers too. A list of pieces has several colours:
+        `["You have ", ("10", "gold"), " coins"]`."""
+        return "".join(letters for letters, _ in self._pieces)
 
     @text.setter
     def text(self, value: object) -> None:
         self._require_alive()
-        self._text = str(value)[:MOST_CHARACTERS]
+        self._pieces = _pieces(value)
 
     @property
     def at(self) -> Vec2:
@@ -117,6 +148,38 @@ class Text:
         self._anchor = one_of(value, "Text", "anchor", ANCHORS)
 
     @property
+    def font(self) -> str | None:
+        """The file of its typeface (.ttf or .otf), found beside the script or level; None: the engine's own."""
+        return self._font
+
+    @font.setter
+    def font(self, value: str | None) -> None:
+        self._require_alive()
+        if not (value is None or (isinstance(value, str) and value)):
+            raise ArgumentTypeError(f"Text: font={value!r} must be the name of a font file, such as 'title.ttf'")
+        self._font = value
+
+    @property
+    def width(self) -> float | None:
+        """Logical points that a line may be wide; a longer one breaks, at a space if it can. None: no limit."""
+        return self._width
+
+    @width.setter
+    def width(self, value: float | None) -> None:
+        self._require_alive()
+        self._width = None if value is None else number(value, "Text", "width", above=0.0, most=FARTHEST)
+
+    @property
+    def align(self) -> str | None:
+        """Where each line lies: "left", "centre" or "right"; None: as the anchor does."""
+        return self._align
+
+    @align.setter
+    def align(self, value: str | None) -> None:
+        self._require_alive()
+        self._align = None if value is None else one_of(value, "Text", "align", ALIGNMENTS)
+
+    @property
     def alive(self) -> bool:
         """False once it was destroyed."""
         return self._alive
@@ -129,48 +192,47 @@ class Text:
     def _require_alive(self) -> None:
         if not self._alive:
             raise StaleReferenceError(
-                f"this Text ({self._text[:40]!r}) was destroyed; "
+                f"this Text ({self.text[:40]!r}) was destroyed; "
                 "keep no reference past destroy(), or ask text.alive first"
             )
 
     def draw(self, core: CoreScene, fonts: Fonts, screen: tuple[int, int], scale: float) -> None:
         """Put it on top of the collected frame; `screen` in real pixels, `scale` of them a logical point."""
         pixels = min(max(round(self._size * scale), SMALLEST), LARGEST)
-        texture, font = fonts(pixels)
+        texture, font = fonts(pixels) if self._font is None else fonts(pixels, self._font, self.text)
         across, down = ANCHORS[self._anchor]
-        if self._drawn != (self._text, pixels, across):
-            self._boxes, self._extent = layout(font, self._text, across)
-            self._drawn = (self._text, pixels, across)
+        drawn = (id(font), self._pieces, pixels, across, self._width, self._align, scale)
+        if self._drawn != drawn:
+            width = None if self._width is None else self._width * scale
+            pieces: list[Piece] = [(letters, place) for place, (letters, _) in enumerate(self._pieces)]
+            align = across if self._align is None else ALIGNMENTS[self._align]
+            self._block, self._drawn = typeset(font, pieces, across, align=align, width=width), drawn
         x = across * screen[0] + (-1 if across == 1.0 else 1) * self._at.x * scale
-        y = down * screen[1] + (-1 if down == 1.0 else 1) * self._at.y * scale - down * self._extent[1]
+        y = down * screen[1] + (-1 if down == 1.0 else 1) * self._at.y * scale - down * self._block.height
         place = (float(round(x)), float(round(y)))  # whole pixels: the glyphs are as sharp as they were made
         drop = max(1.0, float(round(pixels / 16)))
         shadow = SHADOW.with_alpha(SHADOW.a * self._colour.a)
-        core.glyphs(self._boxes, place[0] + drop, place[1] + drop, texture, shadow.rgba8)
-        core.glyphs(self._boxes, *place, texture, self._colour.rgba8)
+        for boxes in self._block.boxes.values():
+            core.glyphs(boxes, place[0] + drop, place[1] + drop, texture, shadow.rgba8)
+        for piece, boxes in self._block.boxes.items():
+            colour = self._pieces[piece][1] or self._colour
+            core.glyphs(boxes, *place, texture, colour.rgba8)
 
     def __repr__(self) -> str:
-        return f"<Text {self._text[:40]!r}{'' if self._alive else ', destroyed'}>"
+        return f"<Text {self.text[:40]!r}{'' if self._alive else ', destroyed'}>"
 
 
-def layout(font: Font, text: str, across: float) -> tuple[bytes, tuple[float, float]]:
-    """Boxes of the glyphs for `_core.Scene.glyphs`, and the text's width and height; all in pixels.
-
-    Each line lies with its part `across` (0..1) left of x = 0; y = 0 is the top of the first line.
-    """
-    boxes = array("f")
-    widest = 0.0
-    lines = text.split("\n")
-    missing = font.glyphs.get("\ufffd", font.glyphs.get("?"))
-    for row, line in enumerate(lines):
-        glyphs = [glyph for glyph in (font.glyphs.get(character, missing) for character in line) if glyph is not None]
-        width = sum(glyph.advance for glyph in glyphs)
-        widest = max(widest, width)
-        pen, baseline = -across * width, row * font.line_height + font.ascent
-        for glyph in glyphs:
-            x, y = round(pen), round(baseline)
-            left, top, right, bottom = glyph.box
-            if right > left and bottom > top:
-                boxes.extend((x + left, y + top, x + right, y + bottom, *glyph.texture))
-            pen += glyph.advance
-    return boxes.tobytes(), (widest, len(lines) * font.line_height)
+def _pieces(value: object) -> tuple[tuple[str, Colour | None], ...]:
+    """What is shown, and in which colours; None for that of the text."""
+    if not isinstance(value, (list, tuple)):
+        return ((str(value)[:MOST_CHARACTERS], None),)
+    pieces: list[tuple[str, Colour | None]] = []
+    for piece in value:
+        if isinstance(piece, tuple) and len(piece) == 2:
+            letters, colour = piece
+            pieces.append((str(letters), None if colour is None else to_colour(colour, "Text", "text")))
+        else:
+            pieces.append((str(piece), None))
+    if sum(len(letters) for letters, _ in pieces) > MOST_CHARACTERS:
+        raise ArgumentError(f"Text: text: the pieces have more than {MOST_CHARACTERS} characters")
+    return tuple(pieces)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from evilengine.values.image import Image
@@ -23,6 +23,11 @@ class Glyph:
     """Where its picture is in the font's image, 0..1 from the top left corner."""
 
 
+def no_kerning(before: str, letter: str) -> float:
+    """Every letter as far from the one before it as from any other."""
+    return 0.0
+
+
 @dataclass(frozen=True, slots=True)
 class Font:
     """Glyphs of one pixel size, in one image: white, with the shape in alpha, so that any colour can tint it."""
@@ -36,3 +41,5 @@ class Font:
     image: Image
     glyphs: Mapping[str, Glyph]
     """By character; one that is missing is drawn as U+FFFD, or else as '?'."""
+    kerning: Callable[[str, str], float] = no_kerning
+    """How many pixels a letter is moved to the right when it comes after another: mostly less than 0."""
