@@ -267,3 +267,25 @@ def test_an_unknown_keyword_is_an_error_of_ours_that_names_it() -> None:
         except Exception as problem:
             wrong.append(f"{name}: {type(problem).__name__}: {problem}"[:120])
     assert not wrong, "\n".join(wrong)
+
+
+@pytest.mark.parametrize(
+    ("call", "name"),
+    [
+        (lambda game: game.world.ray_cast((0, 0), (1, 0), kinds="static"), "World.ray_cast"),
+        (lambda game: game.world.character_of(bdy=1), "World.character_of"),
+        (lambda game: game.go("menu", sound="keep"), "Game.go"),
+        (lambda game: game.axis(low="left"), "Game.axis"),
+        (lambda game: game.load(file="1.evil"), "Game.load"),
+    ],
+)
+def test_an_unknown_word_is_answered_by_the_name_that_was_called(call: Callable[[Any], object], name: str) -> None:
+    with pytest.raises(evil.ArgumentTypeError, match=rf"^{name}\(\) got an unknown argument"):
+        call(evil.Game(headless=True))
+
+
+def test_a_missing_argument_is_asked_for_by_the_name_that_was_called() -> None:
+    with pytest.raises(TypeError, match=r"^World\.bodies_at\(\) missing"):
+        evil.World().bodies_at()  # type: ignore[call-arg]
+    with pytest.raises(TypeError, match=r"^Game\.sprite\(\) missing"):
+        evil.Game(headless=True).sprite()  # type: ignore[call-arg]

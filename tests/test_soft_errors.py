@@ -19,6 +19,7 @@ import evilengine as evil
         (lambda w: evil.soft.blob(w, (0, 0), frequency=4000), "frequency=4000"),
         (lambda w: evil.soft.blob(w, (0, 0), damping_ratio=-1), "damping_ratio=-1"),
         (lambda w: evil.soft.jelly(w, (0, 0), frequency=float("nan")), "soft.jelly: frequency=nan"),
+        (lambda w: evil.soft.jelly(evil.Game(headless=True), (0, 0)), "must be a World; that of a game is game.world"),
         (lambda w: evil.soft.jelly(w, (0, 0), columns=100, rows=100), "at most 1000"),
         (lambda w: evil.soft.jelly(w, (0, 0), breaking_force=0), "breaking_force=0"),
     ],

@@ -25,7 +25,7 @@ from evilengine.save import Functions, Recorder, Replay, Slots
 from evilengine.scene import Camera, DrawnBody, Panel, Scene
 from evilengine.timer import Clock, Schedule
 from evilengine.values.callbacks import Callbacks
-from evilengine.values.checks import known_keywords, number
+from evilengine.values.checks import known_keywords, make_up, number
 from evilengine.values.drawlist import DrawList
 from evilengine.values.errors import ArgumentTypeError, Error
 from evilengine.values.events import CloseEvent, Event, ResizeEvent
@@ -399,3 +399,6 @@ class Game(Life, GameScreen, Controls, Things):
         self._refuse_in_a_callback("Game.capture")
         self._draw()
         return self.renderer.capture()
+
+
+make_up(Game, Life, GameScreen, Controls, Things)

@@ -103,7 +103,6 @@ def known_keywords(function: Callable[P, R]) -> Callable[P, R]:
         if p.kind in (p.KEYWORD_ONLY, p.POSITIONAL_OR_KEYWORD) and p.name not in ("self", "cls")
     ]
     words = frozenset(known)
-    name = function.__qualname__.removesuffix(".__init__").removesuffix(".__new__")
 
     @functools.wraps(function)
     def checked(*args: P.args, **kwargs: P.kwargs) -> R:
@@ -112,10 +111,20 @@ def known_keywords(function: Callable[P, R]) -> Callable[P, R]:
         except TypeError:  # by an unknown word, before the function began; or one of its own, which goes on
             if kwargs.keys() <= words:
                 raise
+        name = checked.__qualname__.removesuffix(".__init__").removesuffix(".__new__")
         refuse_unknown(name, known, kwargs)
         raise AssertionError("one of the words was unknown")
 
     return checked
+
+
+def make_up(whole: type, *parts: type) -> None:
+    """Call the methods of `parts`, of which `whole` is made up, by the name that its users know it by."""
+    for part in parts:
+        for method in vars(part).values():
+            if inspect.isfunction(method):
+                for each in (method, inspect.unwrap(method)):
+                    each.__qualname__ = f"{whole.__qualname__}.{method.__name__}"
 
 
 def refuse_unknown(name: str, known: Iterable[str], given: Mapping[str, object]) -> None:

@@ -18,12 +18,11 @@ from evilengine.world.body import Body
 from evilengine.world.joints import Distance, Hinge, Joint
 from evilengine.world.joints.fields import MOST_HERTZ
 from evilengine.world.shapes import Capsule, Circle
+from evilengine.world.world import World
 
 if TYPE_CHECKING:
     from collections.abc import Callable
     from types import TracebackType
-
-    from evilengine.world.world import World
 
 MOST_PIECES = 1000
 
@@ -199,6 +198,10 @@ class _Maker:
     """Adds bodies and joints, and takes them back when one of them cannot be."""
 
     def __init__(self, world: World, add: Callable[..., Body] | None, properties: dict[str, Any]) -> None:
+        if not isinstance(world, World):
+            raise ArgumentTypeError(
+                f"soft: world={world!r} must be a World; that of a game is game.world, and add=game.add lets it be seen"
+            )
         if "at" in properties or "kind" in properties:
             raise ArgumentTypeError("soft: at and kind are given by the soft thing itself; move its bodies afterwards")
         self.world, self.properties = world, properties

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import Any, NoReturn, TypeVar
 
 from evilengine import _core
-from evilengine.values.checks import known_keywords, number
+from evilengine.values.checks import known_keywords, make_up, number
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
 from evilengine.values.vec2 import Point, Vec2, to_vec2
 from evilengine.world import forces as force_kinds
@@ -443,3 +443,6 @@ class World(Queries, Happenings, Cast):
 
     def __repr__(self) -> str:
         return f"<World, {len(self.bodies)} bodies, step {self.steps}>"
+
+
+make_up(World, Queries, Happenings, Cast)
