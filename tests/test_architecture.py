@@ -155,7 +155,7 @@ def test_the_core_knows_no_python_no_clock_and_no_files(file: Path) -> None:
 CORE_GROUND = {
     "math": {"math"},
     "shapes": {"math", "shapes"},
-    "raster": {"math", "shapes", "draw", "raster"},
+    "raster": {"math", "shapes", "draw", "raster", "light"},
     "mixer": {"math", "mixer"},
     "gpu": {"math", "shapes", "draw", "raster", "gpu"},
 }

@@ -25,6 +25,7 @@ NB_MODULE(_core, module) {
     evil::bind::register_gpu(module);
     evil::bind::register_scene(module);
     evil::bind::register_particles(module);
+    evil::bind::register_light(module);
     evil::bind::register_mixer(module);
     evil::bind::register_collider(module);
 }

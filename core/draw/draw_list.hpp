@@ -2,6 +2,7 @@
 // What the scene hands to a renderer: geometry that is shared, and one instance for each thing to draw, back to front.
 // A renderer reads this and nothing else of the engine.
 #include "draw/interludes.hpp"
+#include "light/light_map.hpp"
 #include "math/transform.hpp"
 #include <cstdint>
 #include <span>
@@ -50,6 +51,7 @@ struct Instance {
     Rgba8 tint = 0xffffffffu;
     float outline = 0.0f; // 0: filled; otherwise only a stroke of this many pixels, centred on the edge
     Blend blend = Blend::over;
+    bool lit = false; // multiplied with the light map, where that is on
 };
 
 struct LayerStart { // where a layer's instances begin
@@ -65,6 +67,7 @@ struct DrawList {
     std::vector<Instance> instances; // sorted: layer, then order of creation
     std::vector<LayerStart> layers;  // those that have instances, back to front
     Interludes interludes;           // between the instances
+    light::LightMap light;
 };
 
 inline void clear(DrawList& list) { // keeps the memory for the next frame
@@ -75,6 +78,7 @@ inline void clear(DrawList& list) { // keeps the memory for the next frame
     list.instances.clear();
     list.layers.clear();
     list.interludes.clear();
+    list.light.on = false;
 }
 
 // Whether everything that the mesh names is there: a renderer draws nothing else.

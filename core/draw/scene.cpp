@@ -112,6 +112,7 @@ void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affin
     out.instances.clear();
     out.layers.clear();
     out.interludes.clear();
+    out.light.on = false;
 
     LayerCursor layer{scene.looks, view};
     for (const DrawingRef ref : scene.order) {
@@ -122,7 +123,7 @@ void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affin
         if (out.layers.empty() || out.layers.back().layer != drawing.layer)
             out.layers.push_back({drawing.layer, static_cast<std::uint32_t>(out.instances.size())});
         out.instances.push_back({to_pixel, texture_place(drawing), drawing.mesh, shown_texture(scene, drawing, now),
-                                 multiplied(drawing.tint, layer.tint), 0.0f, drawing.blend});
+                                 multiplied(drawing.tint, layer.tint), 0.0f, drawing.blend, drawing.lit});
         if (drawing.edge_width > 0.0f)
             out.instances.push_back({to_pixel,
                                      {},
@@ -130,7 +131,7 @@ void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affin
                                      kNoTexture,
                                      multiplied(drawing.edge, layer.tint),
                                      drawing.edge_width * points,
-                                     drawing.blend});
+                                     drawing.blend, drawing.lit});
     }
 }
 

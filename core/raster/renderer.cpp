@@ -48,23 +48,27 @@ struct Brush {
     int y, right; // where the row's last run ends
     draw::Blend blend;
     std::int32_t* mask;
-    int start = -1; // where the first one did
+    LightRows* light; // null: it is not lit
+    int start = -1;   // where the first one did
 
+    bool is_plain() const { return is_flat(paint) && !light; }
     const Pixel* colours(int left) {
-        if (start < 0) start = left, paint_row(paint, set, y, left, right, row);
+        if (start < 0) {
+            start = left;
+            if (is_flat(paint))
+                fill(set, row, right - left, paint.flat);
+            else
+                paint_row(paint, set, y, left, right, row);
+            if (light) light_up(set, row, row_of(*light, y) + left, right - left, dither_at(left, y));
+        }
         return row + (left - start);
-    }
-    const Pixel* any_colours(int left, int end) { // also where the paint is flat
-        if (!is_flat(paint)) return colours(left);
-        fill(set, row, end - left, paint.flat);
-        return row;
     }
     void masked(int left, int end) {
         const int count = end - left;
-        if (blend == draw::Blend::add) return add_row(set, line + left, any_colours(left, end), mask, count);
-        if (blend == draw::Blend::multiply) return multiply_row(set, line + left, any_colours(left, end), mask, count);
-        if (blend == draw::Blend::screen) return screen_row(set, line + left, any_colours(left, end), mask, count);
-        if (is_flat(paint))
+        if (blend == draw::Blend::add) return add_row(set, line + left, colours(left), mask, count);
+        if (blend == draw::Blend::multiply) return multiply_row(set, line + left, colours(left), mask, count);
+        if (blend == draw::Blend::screen) return screen_row(set, line + left, colours(left), mask, count);
+        if (is_plain())
             blend_flat(set, line + left, mask, end - left, paint.flat);
         else
             blend_row(set, line + left, colours(left), mask, end - left);
@@ -74,7 +78,7 @@ struct Brush {
             std::fill_n(mask, end - left, cover);
             return masked(left, end);
         }
-        if (!is_flat(paint)) return blend_row(set, line + left, colours(left), end - left, cover);
+        if (!is_plain()) return blend_row(set, line + left, colours(left), end - left, cover);
         const Pixel colour = cover == 255 ? paint.flat : scale_pixel(paint.flat, cover);
         if (colour >> 24 == 255)
             fill(set, line + left, end - left, colour);
@@ -120,9 +124,10 @@ void draw_instance(const draw::DrawList& list, const draw::Instance& instance, c
         first = end;
     }
     prepare(scratch.paint, list, mesh, instance, texture);
+    LightRows* light = instance.lit && list.light.on ? &scratch.light : nullptr;
     for (int y = box.top; y < box.bottom; ++y) {
-        Brush brush{scratch.paint,      set, row_of(target, y), scratch.row.data(), y, box.right, instance.blend,
-                    scratch.mask.data()};
+        Brush brush{scratch.paint,       set,  row_of(target, y), scratch.row.data(), y, box.right, instance.blend,
+                    scratch.mask.data(), light};
         draw_row(scratch.coverage, y - box.top, brush);
     }
 }
@@ -147,6 +152,8 @@ void render(const draw::DrawList& list, draw::Rgba8 background, std::span<const 
     const std::size_t room = static_cast<std::size_t>(target.width) + 4 * kBlock;
     if (scratch.mask.size() < room) scratch.mask.resize(room);
     if (scratch.row.size() < room) scratch.row.resize(room);
+
+    begin(scratch.light, list.light, target);
 
     std::vector<bool> sound(list.meshes.size());
     for (std::size_t i = 0; i < list.meshes.size(); ++i) sound[i] = draw::is_sound(list, list.meshes[i]);

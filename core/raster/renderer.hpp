@@ -1,9 +1,10 @@
 #pragma once
 // The software renderer: a DrawList into a picture, with the same bits on every machine.
 //
-// Source over destination in sRGB, as pictures are usually mixed; light will be mixed in linear colour when lights come.
+// Source over destination in sRGB, as pictures are usually mixed; light is linear (light/light_map.hpp).
 #include "draw/draw_list.hpp"
 #include "raster/coverage.hpp"
+#include "raster/lit.hpp"
 #include "raster/outline.hpp"
 #include "raster/paint.hpp"
 #include "raster/pyramid.hpp"
@@ -18,6 +19,7 @@ struct Scratch { // losing it changes nothing
     Coverage coverage;
     Loops loops;
     Paint paint;
+    LightRows light;
     std::vector<std::int32_t> mask;
     std::vector<Pixel> row;
     Pyramid pyramid;

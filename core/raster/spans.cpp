@@ -51,4 +51,8 @@ void modulate_flat(Set set, Pixel* row, int count, Pixel by) noexcept {
     EVIL_PICK(set, modulate_flat_wide)(row, count, by);
 }
 
+void light_up(Set set, Pixel* row, const std::uint32_t* factors, int count, const std::int32_t* dither) noexcept {
+    EVIL_PICK(set, light_up_wide)(row, factors, count, dither);
+}
+
 } // namespace evil::raster

@@ -44,6 +44,11 @@ void sample(Set set, Pixel* to, int count, const Walk& walk) noexcept; // biline
 void modulate(Set set, Pixel* row, const Pixel* by, int count) noexcept;
 void modulate_flat(Set set, Pixel* row, int count, Pixel by) noexcept;
 
+// Multiplies with factors of 10 bits a channel, red lowest, of which 512 is one; alpha stays, and no channel exceeds it.
+// `dither` holds sixteen numbers of 0..511, those of eight pixels twice: what is rounded away differs from pixel to pixel,
+// so that faint light has no steps. Writes in eights, and reads as many factors.
+void light_up(Set set, Pixel* row, const std::uint32_t* factors, int count, const std::int32_t* dither) noexcept;
+
 // round(a * b / 255) for a, b in 0..255.
 constexpr int multiply_255(int a, int b) {
     int t = a * b + 128;

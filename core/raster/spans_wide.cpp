@@ -316,4 +316,18 @@ void speck_wide(const raster::Target& target, const raster::SpeckPaint& paint) n
     }
 }
 
+void light_up_wide(Pixel* row, const std::uint32_t* factors, int count, const std::int32_t* dither) noexcept {
+    const Ints rounding = load(dither);
+    for (int i = 0; i < count; i += 8) {
+        Ints pixels = load(row + i), by = load(factors + i), alpha = shift_right_unsigned(pixels, 24);
+        Ints result = alpha << 24;
+        for (int channel = 0; channel < 3; ++channel) {
+            Ints factor = shift_right_unsigned(by, 10 * channel) & 1023;
+            Ints value = ((shift_right_unsigned(pixels, 8 * channel) & 255) * factor + rounding) >> 9;
+            result = result | (min(value, alpha) << (8 * channel));
+        }
+        store(row + i, result);
+    }
+}
+
 } // namespace evil::EVIL_ISA

@@ -21,7 +21,8 @@ void ramp_wide(raster::Pixel* to, int count, const raster::Ramp& colours) noexce
 void sample_wide(raster::Pixel* to, int count, const raster::Walk& walk) noexcept;
 void modulate_wide(raster::Pixel* row, const raster::Pixel* by, int count) noexcept;
 void modulate_flat_wide(raster::Pixel* row, int count, raster::Pixel by) noexcept;
-void speck_wide(const raster::Target& target, const raster::SpeckPaint& paint) noexcept;)
+void speck_wide(const raster::Target& target, const raster::SpeckPaint& paint) noexcept;
+void light_up_wide(raster::Pixel* row, const std::uint32_t* factors, int count, const std::int32_t* dither) noexcept;)
 // clang-format on
 
 } // namespace evil

@@ -153,6 +153,8 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
     bodies_and_none, shapes_and_none = bodies | {none}, shapes | {none}
     if not all(body in bodies_and_none and shape in shapes_and_none for _, body, shape in scene.places):
         raise ValueError("drawings on what is not there")
+    if not bodies_and_none.issuperset(scene.lit_by):
+        raise ValueError("lights on what is not there")
     events = {row[0] for row in state["timer"]["events"]}
     known = {
         "body": bodies,

@@ -8,13 +8,26 @@ from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any, cast
 
 from evilengine.assets import Pictures
-from evilengine.scene import LOOKS, Camera, DebugView, Drawing, DrawnBody, Emitter, Layers, Post, Scene, Text
+from evilengine.scene import (
+    LOOKS,
+    Camera,
+    DebugView,
+    Drawing,
+    DrawnBody,
+    Emitter,
+    Layers,
+    Light,
+    Lights,
+    Post,
+    Scene,
+    Text,
+)
 from evilengine.scene.camera import POINTS_A_METRE
 from evilengine.scene.drawing import DEEPEST_LAYER
 from evilengine.scene.particles import add_particles
 from evilengine.scene.sliced import sliced
 from evilengine.values.checks import did_you_mean, known_keywords, number
-from evilengine.values.colour import ColourLike
+from evilengine.values.colour import Colour, ColourLike
 from evilengine.values.errors import ArgumentError, ArgumentTypeError, AssetError
 from evilengine.values.sheet import Sheet
 from evilengine.values.vec2 import Point, to_vec2
@@ -128,6 +141,30 @@ class Things:
         20
         """
         return add_particles(self.scene, self.random.getrandbits(64), body, settings)
+
+    def add_light(self, **options: Any) -> Light:
+        """Let a light shine on what is `lit`, with soft shadows: everything that `game.lights.add` takes.
+
+        >>> game = evil.Game(headless=True)
+        >>> lamp = game.add_light(at=(0, 5), colour="#ffd9a0", radius=8)
+        >>> game.ambient = 0.1
+        >>> lamp.on = False
+        """
+        return self.scene.lights.add(**options)
+
+    @property
+    def lights(self) -> Lights:
+        """The lights of this game, the ambient light, and how finely light is drawn."""
+        return self.scene.lights
+
+    @property
+    def ambient(self) -> float | Colour:
+        """The light that is everywhere: a number, 1.0 for as bright as drawn, or a colour. See `Lights.ambient`."""
+        return self.scene.lights.ambient
+
+    @ambient.setter
+    def ambient(self, value: float | ColourLike) -> None:
+        self.scene.lights.ambient = value
 
     def text(self, text: object, **options: Any) -> Text:
         """Put a line of text on the screen, `at` logical points from its top left corner."""

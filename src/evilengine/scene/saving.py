@@ -13,6 +13,7 @@ from evilengine.scene.drawing import Drawing
 from evilengine.scene.layers import Layers
 from evilengine.scene.particles import EmittersState
 from evilengine.scene.post import Post
+from evilengine.scene.saving_lights import SavedLights, lights_state
 from evilengine.scene.text import Text
 from evilengine.values.colour import Colour
 from evilengine.values.sheet import Animation, Sheet
@@ -42,6 +43,7 @@ def state_of(scene: Scene) -> tuple[bytes, dict[str, Any]]:
         "backgrounds": scene.backgrounds,
         "layers": scene.layers.state(),
         "post": scene.post.state(),
+        "lights": lights_state(scene.lights),
     }
     return drawings, rest
 
@@ -70,12 +72,18 @@ class SceneState:
         self._backgrounds = int(rest.get("backgrounds", 0))
         self._layers = scene.layers.read(rest.get("layers", Layers().state()))
         self._post = scene.post.read(rest.get("post", Post().state()))
+        self._lights = SavedLights(scene.lights, rest.get("lights"))
         self._texts = {int(row[0]): _text(row) for row in rest["texts"]}
 
     @property
     def slots(self) -> set[int]:
         """The slots in which there will be drawings."""
         return set(self._by_slot)
+
+    @property
+    def lit_by(self) -> list[int]:
+        """The slots of the bodies that lights are on, NO_SLOT for each that is on none."""
+        return self._lights.bodies
 
     @property
     def texts(self) -> set[int]:
@@ -94,6 +102,7 @@ class SceneState:
         scene.backgrounds = self._backgrounds
         scene.layers.become(self._layers)
         scene.post.become(self._post)
+        self._lights.put()
         self._put_drawings()
         self._put_texts()
 

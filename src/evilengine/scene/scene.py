@@ -13,6 +13,7 @@ from evilengine.scene.debug import DebugView
 from evilengine.scene.drawing import Drawing, placement, to_layer, to_matrix6
 from evilengine.scene.drawn_body import DrawnBody, show
 from evilengine.scene.layers import Layer, Layers, seen_middle
+from evilengine.scene.lights import Lights
 from evilengine.scene.particles import Emitter
 from evilengine.scene.post import Post
 from evilengine.scene.sliced import Sliced, tile_size
@@ -92,6 +93,8 @@ class Scene:
             tuple[int, int], list[tuple[int, int, int]]
         ] = {}  # by body, which takes its own when asked
         self._from_palette = 0  # how many drawings took a colour of the palette
+        self.lights = Lights(world)
+        """What shines on drawings that are lit: lamps, spots, suns, and the ambient light."""
         self.background = background
         show(world, self)
 
@@ -255,6 +258,7 @@ class Scene:
         self.backgrounds = 0
         self.layers.clear()
         self.post.clear()
+        self.lights.clear()
         self._texts, self._restored, self._from_palette, self.background = [], {}, 0, BACKGROUND
         self._restores += 1
 
@@ -288,6 +292,7 @@ class Scene:
         self._core.set_layers(self.layers.rows(eye, camera.zoom))
         content = self._core.collect(self.world._core, view, alpha, scale)
         self._collect_layers(view, eye, camera.zoom, alpha, screen, scale)
+        self.lights._collect(content, view, alpha, screen, scale)
         if self.post.on:
             self.post.put(self._core, self.world.steps)
         if self.debug:

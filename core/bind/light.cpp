@@ -1,0 +1,206 @@
+// _core.Lights: the lights of a scene by slot and generation, and the light map they become. evilengine.scene.lights is
+// its face; it composes the words of errors, so here they are short.
+#include "bind/bytes.hpp"
+#include "bind/visit.hpp"
+#include "draw/draw_list.hpp"
+#include "light/lighting.hpp"
+#include <algorithm>
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+#include <optional>
+
+namespace evil::bind {
+namespace {
+
+using light::Light;
+
+struct LightsBox { // what Python holds
+    light::Lights lights;
+    light::Scratch scratch;
+};
+
+using Reference = std::tuple<std::uint32_t, std::uint32_t>; // slot, generation
+using Pair = std::tuple<float, float>;
+using Matrix6 = std::tuple<float, float, float, float, float, float>; // a b c d tx ty
+
+Light& light_at(LightsBox& box, std::uint32_t slot, std::uint32_t generation) {
+    if (!box.lights.slots.alive(light::LightRef{slot, generation}))
+        raise(ErrorKind::stale_reference, "this Light was destroyed; ask light.alive first");
+    return box.lights.rows[slot];
+}
+
+// A property of a light: its getter, and its setter with set_ before the name.
+template <auto member, class Class> void field(Class& c, const char* name) {
+    using Value = std::remove_cvref_t<decltype(std::declval<Light>().*member)>;
+    const auto slot = nb::arg("slot"), generation = nb::arg("generation");
+    c.def(
+        name, [](LightsBox& box, std::uint32_t s, std::uint32_t g) { return light_at(box, s, g).*member; }, slot,
+        generation);
+    c.def(("set_" + std::string(name)).c_str(),
+          [](LightsBox& box, std::uint32_t s, std::uint32_t g, Value value) { light_at(box, s, g).*member = value; },
+          slot, generation, nb::arg("value"));
+}
+
+bool collect(LightsBox& box, draw::DrawList& list, World& world, const Matrix6& view, double alpha, int width,
+             int height, const light::Rgb& ambient, float strength, float depth, int step) {
+    const bool needed = std::ranges::any_of(list.instances, [](const draw::Instance& one) { return one.lit; });
+    light::remove_orphans(box.lights, world.bodies.slots);
+    light::Look look;
+    look.ambient = ambient;
+    look.strength = strength;
+    look.depth = depth;
+    look.step = step;
+    look.on = needed;
+    const auto& [a, b, c, d, tx, ty] = view;
+    const float part = std::isfinite(alpha) ? static_cast<float>(std::clamp(alpha, 0.0, 1.0)) : 1.0f;
+    light::compute(list.light, box.scratch, box.lights, look, world, {a, b, c, d, tx, ty}, part, width, height);
+    return needed;
+}
+
+// For a restore: `slots` rising, each with its serial and its body's slot; `same` for lights that are there already.
+std::vector<Reference> restore(LightsBox& box, const World& world, const std::vector<std::uint32_t>& slots,
+                               const std::vector<std::uint64_t>& serials, const std::vector<std::uint32_t>& bodies,
+                               std::uint64_t next_serial) {
+    std::vector<bool> taken, same;
+    std::vector<Light> rows;
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        const std::uint32_t slot = slots[i];
+        taken.resize(slot + 1, false), same.resize(slot + 1, false), rows.resize(slot + 1);
+        Light& row = rows[slot];
+        row.serial = serials[i];
+        if (bodies[i] != kNone) row.body = {bodies[i], world.bodies.slots.generation(bodies[i])};
+        taken[slot] = true;
+        same[slot] = box.lights.slots.taken(slot) && box.lights.rows[slot].serial == row.serial &&
+                     box.lights.rows[slot].body == row.body;
+    }
+    box.lights.slots.restore(taken, same);
+    rows.resize(box.lights.slots.size());
+    box.lights.rows = std::move(rows);
+    box.lights.next_serial = next_serial;
+    std::vector<Reference> references;
+    for (const std::uint32_t slot : slots) references.emplace_back(slot, box.lights.slots.generation(slot));
+    return references;
+}
+
+std::uint16_t to_half(std::uint32_t factor) { // of 13 bits, 4096 for one: a float of 16 bits, rounded down
+    if (factor == 0) return 0;
+    int exponent = 12;
+    while (!(factor >> 12)) factor <<= 1, --exponent;
+    return static_cast<std::uint16_t>((exponent + 3) << 10 | (factor >> 2 & 1023));
+}
+
+// The light map for a graphics card: rows of r, g, b, 1 as floats of 16 bits.
+nb::bytes halves(const draw::DrawList& list) {
+    std::vector<std::uint16_t> values;
+    values.reserve(4 * list.light.texels.size());
+    for (const light::Factors f : list.light.texels) {
+        for (int place = 2; place >= 0; --place)
+            values.push_back(
+                to_half(static_cast<std::uint32_t>(f >> place * light::kFactorApart & light::kFactorMask)));
+        values.push_back(0x3c00);
+    }
+    return nb::bytes(values.data(), values.size() * sizeof(std::uint16_t));
+}
+
+} // namespace
+
+void register_light(nb::module_& module) {
+    const auto slot = nb::arg("slot"), generation = nb::arg("generation");
+    nb::enum_<light::Reach>(module, "Reach", "Where a light shines to.")
+        .value("round", light::Reach::round)
+        .value("cone", light::Reach::cone)
+        .value("parallel", light::Reach::parallel);
+    nb::class_<LightsBox> c(module, "Lights", "Lights by slot and generation; evilengine.scene.lights is the face.");
+    c.def(nb::init<>());
+    c.def("__len__", [](const LightsBox& box) { return box.lights.slots.count(); });
+    c.def(
+        "add",
+        [](LightsBox& box, std::optional<Reference> body) {
+            Light light;
+            if (body) light.body = {std::get<0>(*body), std::get<1>(*body)};
+            const light::LightRef ref = add(box.lights, light);
+            return Reference{ref.slot, ref.generation};
+        },
+        nb::arg("body") = nb::none(), "A new light, on a body's slot and generation or by itself.");
+    c.def(
+        "remove",
+        [](LightsBox& box, std::uint32_t s, std::uint32_t g) {
+            light_at(box, s, g);
+            box.lights.slots.release(s);
+        },
+        slot, generation);
+    c.def(
+        "alive",
+        [](const LightsBox& box, std::uint32_t s, std::uint32_t g) {
+            return box.lights.slots.alive(light::LightRef{s, g});
+        },
+        slot, generation);
+    c.def(
+        "slots",
+        [](const LightsBox& box) {
+            std::vector<std::uint32_t> taken;
+            for (std::uint32_t s = 0; s < box.lights.slots.size(); ++s)
+                if (box.lights.slots.taken(s)) taken.push_back(s);
+            return taken;
+        },
+        "The slots that hold a light, rising.");
+    c.def("generation", [](const LightsBox& box, std::uint32_t s) { return box.lights.slots.generation(s); }, slot);
+    c.def_prop_ro("next_serial", [](const LightsBox& box) { return box.lights.next_serial; });
+    c.def(
+        "serial", [](LightsBox& box, std::uint32_t s, std::uint32_t g) { return light_at(box, s, g).serial; }, slot,
+        generation);
+    c.def(
+        "body",
+        [](LightsBox& box, std::uint32_t s, std::uint32_t g) -> std::optional<Reference> {
+            const BodyRef body = light_at(box, s, g).body;
+            if (body.slot == kNone) return std::nullopt;
+            return Reference{body.slot, body.generation};
+        },
+        slot, generation);
+    c.def(
+        "at",
+        [](LightsBox& box, std::uint32_t s, std::uint32_t g) {
+            const Vec2 at = light_at(box, s, g).at;
+            return Pair{at.x, at.y};
+        },
+        slot, generation);
+    c.def(
+        "set_at",
+        [](LightsBox& box, std::uint32_t s, std::uint32_t g, Pair at) {
+            light_at(box, s, g).at = {std::get<0>(at), std::get<1>(at)};
+        },
+        slot, generation, nb::arg("value"));
+    field<&Light::reach>(c, "reach");
+    field<&Light::angle>(c, "angle");
+    field<&Light::cone>(c, "cone");
+    field<&Light::edge>(c, "edge");
+    field<&Light::radius>(c, "radius");
+    field<&Light::size>(c, "size");
+    field<&Light::falloff>(c, "falloff");
+    field<&Light::intensity>(c, "intensity");
+    field<&Light::colour>(c, "colour");
+    field<&Light::temperature>(c, "temperature");
+    field<&Light::tint>(c, "tint");
+    field<&Light::mask>(c, "mask");
+    field<&Light::on>(c, "on");
+    field<&Light::shadows>(c, "shadows");
+    c.def("restore", &restore, nb::arg("world"), nb::arg("slots"), nb::arg("serials"), nb::arg("bodies"),
+          nb::arg("next_serial"), "Become lights in these slots, as new ones are; their references.");
+    c.def("collect", &collect, nb::arg("list"), nb::arg("world"), nb::arg("view"), nb::arg("alpha"), nb::arg("width"),
+          nb::arg("height"), nb::arg("ambient"), nb::arg("strength"), nb::arg("depth"), nb::arg("step"),
+          "Put the frame's light into the list; whether anything in it is lit.");
+    module.def(
+        "light_map",
+        [](const draw::DrawList& list) -> std::optional<std::tuple<int, int, float, float, float, nb::bytes>> {
+            const light::LightMap& map = list.light;
+            if (!map.on) return std::nullopt;
+            return std::tuple(map.width, map.height, map.step, map.first.x, map.first.y, halves(list));
+        },
+        nb::arg("list"),
+        "Width, height, pixels a texel, where in the picture the first one's middle lies, and texels: r, g, b, 1 as "
+        "floats of 16 bits; None where nothing is lit.");
+}
+
+} // namespace evil::bind

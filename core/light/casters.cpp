@@ -1,0 +1,123 @@
+#include "light/casters.hpp"
+#include "draw/scene.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace evil::light {
+namespace {
+
+constexpr double kBend =
+    kPi / 8; // a skin's round corner becomes a polygon's, which bends by so much at most: 2% flatter
+
+// The arc round a corner from one edge's normal to the next one's, and both its ends.
+void add_arc(std::vector<Vec2>& to, Vec2 corner, float radius, Vec2 before, Vec2 after, const Affine& to_texel) {
+    const double turn = atan2(cross(before, after), dot(before, after)), whole = turn < 0.0 ? turn + 2.0 * kPi : turn;
+    const int steps = std::max(1, static_cast<int>(std::ceil(whole / kBend - 1e-6)));
+    for (int i = 0; i <= steps; ++i)
+        to.push_back(apply(to_texel, corner + radius * rotate(rotation(whole * i / steps), before)));
+}
+
+void add_corners(Casters& casters, const Shapes& shapes, const Piece& piece, const Affine& to_texel) {
+    const std::span<const Vec2> points = points_of(shapes, piece), normals = normals_of(shapes, piece);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (piece.radius > 0.0f)
+            add_arc(casters.corners, points[i], piece.radius, normals[i == 0 ? points.size() - 1 : i - 1], normals[i],
+                    to_texel);
+        else
+            casters.corners.push_back(apply(to_texel, points[i]));
+    }
+}
+
+bool is_near(Vec2 p) { return std::fabs(p.x) < 1e6f && std::fabs(p.y) < 1e6f; } // false for what is not a number, too
+
+void add_piece(Casters& casters, const Shapes& shapes, const Piece& piece, const Affine& to_texel, float scale) {
+    Caster caster;
+    caster.middle = apply(to_texel, piece.centre);
+    caster.radius = (piece.count == 0 ? piece.radius : piece.reach) * scale;
+    if (!is_near(caster.middle) || !(caster.radius < 1e6f)) return; // too far away for a shadow to fall here
+    caster.body = piece.body;
+    caster.category = shapes.rows[piece.shape].traits.category;
+    caster.first = static_cast<std::uint32_t>(casters.corners.size());
+    if (piece.count > 0) add_corners(casters, shapes, piece, to_texel);
+    caster.count = static_cast<std::uint32_t>(casters.corners.size()) - caster.first;
+    casters.rows.push_back(caster);
+}
+
+std::span<const Vec2> corners_of(const Casters& casters, const Caster& caster) {
+    return std::span(casters.corners).subspan(caster.first, caster.count);
+}
+
+struct Span { // of what a row of texels, y to y + 1, holds of a caster; nothing: left is right
+    float left = 0.0f, right = 0.0f;
+};
+
+Span across_disc(const Caster& disc, float y) {
+    const float rise = std::max({y - disc.middle.y, disc.middle.y - (y + 1.0f), 0.0f});
+    const float half = std::sqrt(std::max(disc.radius * disc.radius - rise * rise, 0.0f));
+    return {disc.middle.x - half, disc.middle.x + half};
+}
+
+Span across_corners(std::span<const Vec2> corners, float y) {
+    Span span{1e9f, -1e9f};
+    Vec2 a = corners.back();
+    for (const Vec2 b : corners) {
+        const Vec2 low = a.y < b.y ? a : b, high = a.y < b.y ? b : a;
+        a = b;
+        if (high.y <= y || low.y >= y + 1.0f) continue;
+        const float slope = (high.x - low.x) / std::max(high.y - low.y, 1e-6f);
+        const float enters = low.y < y ? low.x + slope * (y - low.y) : low.x;
+        const float leaves = high.y > y + 1.0f ? high.x - slope * (high.y - (y + 1.0f)) : high.x;
+        span = {std::min({span.left, enters, leaves}), std::max({span.right, enters, leaves})};
+    }
+    return span;
+}
+
+} // namespace
+
+void gather(Casters& casters, const World& world, const Affine& to_texel, float alpha) {
+    casters.rows.clear();
+    casters.corners.clear();
+    const float scale = std::sqrt(std::fabs(determinant(to_texel)));
+    for (std::uint32_t slot = 0; slot < world.bodies.slots.size(); ++slot) {
+        if (!world.bodies.slots.taken(slot)) continue;
+        const Pose pose = draw::between(world.previous[slot], world.present[slot], alpha);
+        const Affine place = compose(to_texel, affine(pose));
+        for (std::uint32_t s = world.bodies.rows[slot].first_shape; s != kNone; s = world.shapes.rows[s].next) {
+            if (world.shapes.rows[s].traits.sensor) continue;
+            for (std::uint32_t p = world.shapes.rows[s].first_piece; p != kNone; p = world.shapes.pieces[p].next)
+                add_piece(casters, world.shapes, world.shapes.pieces[p], place, scale);
+        }
+    }
+}
+
+bool holds(const Casters& casters, const Caster& caster, Vec2 point) {
+    if (length_squared(point - caster.middle) >= caster.radius * caster.radius) return false;
+    if (caster.count == 0) return true;
+    const std::span<const Vec2> corners = corners_of(casters, caster);
+    bool left = false, right = false;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec2 a = corners[i], b = corners[i + 1 < corners.size() ? i + 1 : 0];
+        const float side = cross(b - a, point - a);
+        left |= side >= 0.0f, right |= side <= 0.0f;
+    }
+    return left != right;
+}
+
+void fill(const Casters& casters, const Caster& caster, int width, int height, int stride,
+          std::span<std::uint8_t> solid) {
+    const auto texel = [](float at, int most) {
+        return static_cast<int>(std::floor(std::clamp(at, -1.0f, static_cast<float>(most))));
+    };
+    const int top = std::max(texel(caster.middle.y - caster.radius, height), 0);
+    const int bottom = std::min(texel(caster.middle.y + caster.radius, height) + 1, height);
+    for (int row = top; row < bottom; ++row) {
+        const Span span = caster.count == 0 ? across_disc(caster, static_cast<float>(row))
+                                            : across_corners(corners_of(casters, caster), static_cast<float>(row));
+        if (!(span.left < span.right)) continue;
+        const int from = std::max(texel(span.left, width), 0);
+        const int to = std::min(texel(span.right, width) + 1, width);
+        if (from < to) std::fill_n(solid.begin() + row * stride + from, to - from, std::uint8_t{1});
+    }
+}
+
+} // namespace evil::light

@@ -1,0 +1,24 @@
+#pragma once
+// What casts shadows: every shape of the world but sensors and particles, as convex casters in the light map's coordinates.
+#include "light/shade.hpp"
+#include "world.hpp"
+#include <span>
+#include <vector>
+
+namespace evil::light {
+
+struct Casters {
+    std::vector<Caster> rows; // in the order of bodies, shapes and pieces
+    std::vector<Vec2> corners;
+};
+
+// Where things are at `alpha` (0..1) between the last two steps. Keeps the memory of last time.
+void gather(Casters& casters, const World& world, const Affine& to_texel, float alpha);
+
+bool holds(const Casters& casters, const Caster& caster, Vec2 point); // strictly inside
+
+// Ones for texels that the caster covers any of, on rows of `stride`; others stay as they are.
+void fill(const Casters& casters, const Caster& caster, int width, int height, int stride,
+          std::span<std::uint8_t> solid);
+
+} // namespace evil::light

@@ -1,0 +1,223 @@
+#include "light/lighting.hpp"
+#include "draw/scene.hpp"
+#include "light/shade_wide.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace evil::light {
+namespace {
+
+constexpr int kPatch = 8; // texels: a patch is as wide as the kernel's lanes, and as high
+
+struct Grid { // of the map's texels
+    int width, height, stride;
+    Affine to_texel; // from the world
+    float scale;     // texels a metre
+};
+
+// The texels keep their places in the world while the camera moves, so that shadows do not crawl.
+Grid lay_out(LightMap& map, const Affine& view, int step, int width, int height) {
+    const float s = static_cast<float>(step);
+    const auto start = [s](float origin) {
+        float first = origin - s * std::floor(origin / s) - 0.5f * s;
+        return first > 0.5f ? first - s : first;
+    };
+    map.step = s;
+    map.first = {start(view.tx), start(view.ty)};
+    map.width = static_cast<int>(std::ceil((static_cast<float>(width) - 0.5f - map.first.x) / s)) + 1;
+    map.height = static_cast<int>(std::ceil((static_cast<float>(height) - 0.5f - map.first.y) / s)) + 1;
+    const Affine to_texel = compose({1.0f / s, 0, 0, 1.0f / s, 0.5f - map.first.x / s, 0.5f - map.first.y / s}, view);
+    return {map.width, map.height, (map.width + kPatch - 1) / kPatch * kPatch, to_texel,
+            std::sqrt(std::fabs(determinant(to_texel)))};
+}
+
+Rgb linear(const Rgb& colour, float strength) {
+    Rgb result;
+    for (std::size_t i = 0; i < 3; ++i) result[i] = static_cast<float>(power(colour[i], 1.0 / kToScreen)) * strength;
+    return result;
+}
+
+// False for a lamp that is too far away to count, or not anywhere.
+bool to_lamp(Lamp& lamp, const Light& light, const World& world, const Grid& grid, float alpha) {
+    Pose pose;
+    if (light.body.slot != kNone)
+        pose = draw::between(world.previous[light.body.slot], world.present[light.body.slot], alpha);
+    const Rot turn = rotation(light.angle);
+    lamp.at = apply(grid.to_texel, transform(pose, light.at));
+    lamp.way = normalised(apply_linear(grid.to_texel, rotate(pose.q, {turn.c, turn.s})));
+    lamp.parallel = light.reach == Reach::parallel;
+    lamp.spot = light.reach == Reach::cone;
+    const float reach = lamp.reach = light.radius * grid.scale;
+    lamp.size = lamp.parallel ? light.size * kFar : std::max(light.size * grid.scale, 0.25f);
+    lamp.quarters = static_cast<int>(std::lround(4.0f * light.falloff));
+    const float widest = sincos(0.5 * light.cone).cos, full = sincos(0.5 * light.cone * (1.0f - light.edge)).cos;
+    lamp.cone_middle = widest;
+    lamp.cone_slope = 1.0f / std::max(full - widest, 1e-4f);
+    const Rgb colour = linear(light.colour, light.intensity);
+    for (std::size_t i = 0; i < 3; ++i) lamp.glow[i] = colour[i] * light.tint[i];
+    const float right = static_cast<float>(grid.width) + reach, bottom = static_cast<float>(grid.height) + reach;
+    return lamp.parallel || (lamp.at.x > -reach && lamp.at.y > -reach && lamp.at.x < right && lamp.at.y < bottom);
+}
+
+// Whether a caster may stand between the lamp and a disc round `middle`: it must come near the strip between the two.
+bool may_hide(const Lamp& lamp, const Caster& caster, Vec2 middle, float radius) {
+    const Vec2 to = lamp.parallel ? -kFar * lamp.way : lamp.at - middle, way = caster.middle - middle;
+    const float square = length_squared(to);
+    const float part = square > 0.0f ? std::clamp(dot(way, to) / square, 0.0f, 1.0f) : 0.0f;
+    const float near = caster.radius + radius + part * std::max(lamp.size - radius, 0.0f);
+    return length_squared(way - part * to) <= near * near;
+}
+
+// A lamp shines out of the bodies that it is in.
+void find_casters(Scratch::Cast& cast, const Light& light, const Casters& all, const Grid& grid,
+                  std::vector<std::uint32_t>& holders) {
+    holders.clear();
+    if (!cast.lamp.parallel)
+        for (const Caster& caster : all.rows)
+            if (holds(all, caster, cast.lamp.at)) holders.push_back(caster.body);
+    const Vec2 half = 0.5f * Vec2{static_cast<float>(grid.width), static_cast<float>(grid.height)};
+    const Vec2 middle = cast.lamp.parallel ? half : cast.lamp.at;
+    const float radius = cast.lamp.parallel ? length(half) : cast.lamp.reach;
+    cast.casters.clear();
+    for (std::uint32_t i = 0; i < all.rows.size(); ++i) {
+        const Caster& caster = all.rows[i];
+        if (!(caster.category & light.mask) || caster.body == light.body.slot) continue;
+        if (std::ranges::find(holders, caster.body) != holders.end()) continue;
+        if (may_hide(cast.lamp, caster, middle, radius)) cast.casters.push_back(i);
+    }
+}
+
+Scratch::Cast& next(std::vector<Scratch::Cast>& casts, std::size_t& count) {
+    if (count == casts.size()) casts.emplace_back();
+    return casts[count++];
+}
+
+void find_lamps(Scratch& scratch, const Lights& lights, const World& world, const Grid& grid, float alpha) {
+    scratch.open_count = scratch.shaded_count = 0;
+    if (scratch.rows.empty()) scratch.rows.emplace_back();
+    for (std::uint32_t slot = 0; slot < lights.rows.size(); ++slot) {
+        const Light& light = lights.rows[slot];
+        Lamp lamp;
+        if (!lights.slots.taken(slot) || !light.on || !to_lamp(lamp, light, world, grid, alpha)) continue;
+        if (!light.shadows) {
+            next(scratch.open, scratch.open_count).lamp = lamp;
+            continue;
+        }
+        Scratch::Cast& cast = next(scratch.shaded, scratch.shaded_count);
+        cast.lamp = lamp;
+        find_casters(cast, light, scratch.casters, grid, scratch.rows[0].near);
+    }
+}
+
+bool reaches(const Lamp& lamp, Vec2 middle, float radius) {
+    if (lamp.parallel) return true;
+    return length(middle - lamp.at) < lamp.reach + radius;
+}
+
+bool all_solid(std::span<const std::uint8_t> solid, const Patch& patch) {
+    for (int y = patch.y; y < patch.y + patch.rows; ++y)
+        for (int x = patch.x; x < patch.x + kPatch; ++x)
+            if (!solid[static_cast<std::size_t>(y) * patch.stride + x]) return false;
+    return true;
+}
+
+// One row of patches.
+void shade_row(Scratch& scratch, std::span<const Scratch::Cast> casts, const Grid& grid, int top, float* planes,
+               InstructionSet set) {
+    Scratch::Row& row = scratch.rows[static_cast<std::size_t>(top / kPatch)];
+    const std::size_t plane = static_cast<std::size_t>(grid.stride) * grid.height;
+    const Planes to{planes, planes + plane, planes + 2 * plane};
+    const Casters& all = scratch.casters;
+    Patch patch{0, top, std::min(kPatch, grid.height - top), grid.stride};
+    const float radius = 0.5f * std::sqrt(2.0f) * kPatch;
+    for (; patch.x < grid.width; patch.x += kPatch) {
+        if (all_solid(scratch.solid, patch)) continue;
+        const Vec2 middle{static_cast<float>(patch.x) + 0.5f * kPatch, static_cast<float>(top) + 0.5f * kPatch};
+        for (const Scratch::Cast& cast : casts) {
+            if (!reaches(cast.lamp, middle, radius)) continue;
+            row.near.clear();
+            for (const std::uint32_t i : cast.casters)
+                if (may_hide(cast.lamp, all.rows[i], middle, radius)) row.near.push_back(i);
+            if (row.hidden.size() < row.near.size()) row.hidden.resize(row.near.size());
+            EVIL_PICK(set, shade_patch_wide)
+            (cast.lamp, all.rows.data(), row.near.data(), static_cast<int>(row.near.size()), all.corners.data(), patch,
+             to, row.hidden.data());
+        }
+    }
+}
+
+void shade(Scratch& scratch, std::span<const Scratch::Cast> casts, const Grid& grid, float* planes, World& world) {
+    if (casts.empty()) return;
+    const auto rows = static_cast<std::size_t>((grid.height + kPatch - 1) / kPatch);
+    if (scratch.rows.size() < rows) scratch.rows.resize(rows);
+    parallel_for(world.threads, rows, 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t row = first; row < last; ++row)
+            shade_row(scratch, casts, grid, static_cast<int>(row) * kPatch, planes, world.instruction_set);
+    });
+}
+
+// Light of lamps with shadows, on and in bodies, is added to the rest.
+void add_shaded(Scratch& scratch, const Grid& grid, int reach, float* open, const float* shaded, Threads& threads) {
+    const std::size_t count = static_cast<std::size_t>(grid.stride) * grid.height;
+    const bool bodies = std::ranges::find(scratch.solid, std::uint8_t{1}) != scratch.solid.end();
+    if (!bodies) {
+        for (std::size_t i = 0; i < 3 * count; ++i) open[i] += shaded[i];
+        return;
+    }
+    scratch.soft.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float air = scratch.solid[i] ? 0.0f : 1.0f;
+        scratch.soft[i] = {air * shaded[i], air * shaded[count + i], air * shaded[2 * count + i], air};
+    }
+    soak(scratch.soft, scratch.solid, grid.stride, grid.height, reach, scratch.blurred, scratch.other, threads);
+    for (std::size_t i = 0; i < count; ++i) {
+        open[i] += scratch.soft[i].red;
+        open[count + i] += scratch.soft[i].green;
+        open[2 * count + i] += scratch.soft[i].blue;
+    }
+}
+
+void pack(LightMap& map, const Grid& grid, const float* planes, InstructionSet set) {
+    const std::size_t plane = static_cast<std::size_t>(grid.stride) * grid.height;
+    map.texels.resize(static_cast<std::size_t>(map.width) * map.height);
+    for (int y = 0; y < map.height; ++y) {
+        const float* row = planes + static_cast<std::size_t>(y) * grid.stride;
+        EVIL_PICK(set, pack_factors_wide)
+        (row, row + plane, row + 2 * plane, map.width, map.texels.data() + static_cast<std::size_t>(y) * map.width);
+    }
+}
+
+} // namespace
+
+void remove_orphans(Lights& lights, const Slots& bodies) {
+    for (std::uint32_t slot = 0; slot < lights.rows.size(); ++slot)
+        if (lights.slots.taken(slot) && lights.rows[slot].body.slot != kNone && !bodies.alive(lights.rows[slot].body))
+            lights.slots.release(slot);
+}
+
+void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& look, World& world, const Affine& view,
+             float alpha, int width, int height) {
+    map.on = look.on;
+    if (!map.on) return;
+    const Grid grid = lay_out(map, view, look.step, width, height);
+    gather(scratch.casters, world, grid.to_texel, alpha);
+    find_lamps(scratch, lights, world, grid, alpha);
+
+    const std::size_t plane = static_cast<std::size_t>(grid.stride) * grid.height;
+    scratch.planes.assign(6 * plane, 0.0f);
+    scratch.solid.assign(plane, 0);
+    float *open = scratch.planes.data(), *shaded = open + 3 * plane;
+    const Rgb ambient = linear(look.ambient, look.strength);
+    for (std::size_t i = 0; i < 3; ++i) std::fill_n(open + i * plane, plane, ambient[i]);
+    shade(scratch, std::span(scratch.open).first(scratch.open_count), grid, open, world);
+    if (scratch.shaded_count > 0) {
+        for (const Caster& caster : scratch.casters.rows)
+            fill(scratch.casters, caster, grid.width, grid.height, grid.stride, scratch.solid);
+        shade(scratch, std::span(scratch.shaded).first(scratch.shaded_count), grid, shaded, world);
+        const int reach = std::clamp(static_cast<int>(std::lround(look.depth * grid.scale)), 1, grid.width);
+        add_shaded(scratch, grid, reach, open, shaded, world.threads);
+    }
+    pack(map, grid, open, world.instruction_set);
+}
+
+} // namespace evil::light

@@ -1,0 +1,53 @@
+#pragma once
+// What the inner loop of lighting is given: lamps and casters in the light map's own coordinates, a texel long.
+//
+// A lamp is a disc. From a point p it is seen as a line across the way to its middle, and a convex caster hides one interval
+// of that line, which its two tangents through p bound. What is seen is what the union of the intervals leaves: umbra is
+// exactly 0, full light exactly 1, and the half shadow between is as wide as it should be, however many casters there are.
+//
+//        lamp
+//       --===--        the line; = is hidden
+//         \ \          .
+//          \|\         .   tangents
+//          [ ] caster
+//            \\        .
+//             p
+#include "math/vec2.hpp"
+#include <cstdint>
+
+namespace evil::light {
+
+struct Caster { // convex: `count` corners in order, either way round, or a circle round `middle`
+    Vec2 middle;
+    float radius = 0.0f;     // of the circle, or of one round all corners
+    std::uint32_t first = 0; // of its corners
+    std::uint32_t count = 0; // none: a circle
+    std::uint32_t body = 0, category = 1;
+};
+
+struct Lamp {
+    Vec2 at;            // its middle. Of a sun: unused
+    Vec2 way;           // of length 1: where a spot or a sun shines to
+    float size = 0.0f;  // half the line's length; of a sun, at kFar
+    float reach = 0.0f; // to where it ends
+    int quarters = 8;   // of the falloff's exponent
+    bool parallel = false, spot = false;
+    float cone_middle = 0.0f, cone_slope = 0.0f; // a spot's share of light is (cosine - middle) * slope, within 0..1
+    float glow[3] = {};                          // linear
+};
+
+inline constexpr float kFar = 65536.0f; // texels to a sun: further than a map is wide, near enough for floats
+
+struct Planes { // rows of floats, `stride` apart
+    float *red, *green, *blue;
+};
+
+struct Patch { // eight texels wide, `rows` high
+    int x, y, rows, stride;
+};
+
+struct Hidden { // scratch of one texel row of a patch: where the intervals begin and end, eight lanes each
+    float from[8], to[8];
+};
+
+} // namespace evil::light

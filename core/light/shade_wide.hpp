@@ -1,0 +1,17 @@
+#pragma once
+#include "light/shade.hpp"
+#include "math/cpu.hpp"
+
+namespace evil {
+
+// clang-format off
+EVIL_WIDE(
+// Adds one lamp's light to a patch; `casters` are those that may hide some of it there, `hidden` has room for each.
+void shade_patch_wide(const light::Lamp& lamp, const light::Caster* casters, const std::uint32_t* which, int count,
+                      const Vec2* corners, const light::Patch& patch, const light::Planes& planes,
+                      light::Hidden* hidden) noexcept;
+// Linear light to the power of kToScreen, as packed factors.
+void pack_factors_wide(const float* red, const float* green, const float* blue, int count, std::uint64_t* to) noexcept;)
+// clang-format on
+
+} // namespace evil

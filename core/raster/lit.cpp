@@ -1,0 +1,82 @@
+#include "raster/lit.hpp"
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace evil::raster {
+namespace {
+
+using light::Factors;
+
+// Which order the pixels of an 8x8 square are rounded up in: neighbours as differently as can be (Bayer 1973).
+constexpr int rank_of(int x, int y) {
+    int rank = 0;
+    for (int bit = 0; bit < 3; ++bit) {
+        const int across = x >> bit & 1, down = y >> bit & 1;
+        rank |= ((across ^ down) << 1 | down) << (2 * (2 - bit));
+    }
+    return rank;
+}
+
+constexpr auto kDither = [] {
+    std::array<std::array<std::int32_t, 16>, 8> rows{};
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 16; ++x) rows[y][x] = rank_of(x & 7, y) * 8 + 4;
+    return rows;
+}();
+
+// A texel and how far on the way to the next one, in 256ths.
+struct Place {
+    int texel;
+    Factors weight;
+};
+Place place_of(int pixel, float first, float step, int count) {
+    const float at = std::clamp((static_cast<float>(pixel) + 0.5f - first) / step, 0.0f, static_cast<float>(count - 1));
+    const int texel = std::min(static_cast<int>(at), std::max(count - 2, 0));
+    return {texel, static_cast<Factors>((at - static_cast<float>(texel)) * 256.0f)};
+}
+
+Factors mix(Factors a, Factors b, Factors weight) {
+    return (a * (256 - weight) + b * weight) >> 8 & light::kAllFactors;
+}
+
+std::uint32_t to_ten_bits(Factors f) {
+    const auto channel = [f](int place) {
+        return static_cast<std::uint32_t>(f >> place * light::kFactorApart & light::kFactorMask) >>
+               (light::kFactorBits - 10);
+    };
+    return channel(2) | channel(1) << 10 | channel(0) << 20;
+}
+
+} // namespace
+
+void begin(LightRows& rows, const light::LightMap& map, const Target& target) {
+    rows.map = &map;
+    if (!map.on) return;
+    rows.width = target.width;
+    rows.stride = target.width + 8; // read in eights
+    rows.factors.resize(static_cast<std::size_t>(rows.stride) * target.height);
+    rows.ready.assign(target.height, false);
+    rows.between.resize(map.width);
+}
+
+const std::uint32_t* row_of(LightRows& rows, int y) {
+    std::uint32_t* row = rows.factors.data() + static_cast<std::size_t>(rows.stride) * y;
+    if (rows.ready[y]) return row;
+    rows.ready[y] = true;
+    const light::LightMap& map = *rows.map;
+    const Place down = place_of(y, map.first.y, map.step, map.height);
+    const Factors* above = map.texels.data() + static_cast<std::size_t>(down.texel) * map.width;
+    const Factors* below = down.texel + 1 < map.height ? above + map.width : above;
+    for (int x = 0; x < map.width; ++x) rows.between[x] = mix(above[x], below[x], down.weight);
+    for (int x = 0; x < rows.width; ++x) {
+        const Place across = place_of(x, map.first.x, map.step, map.width);
+        const int next = std::min(across.texel + 1, map.width - 1);
+        row[x] = to_ten_bits(mix(rows.between[across.texel], rows.between[next], across.weight));
+    }
+    return row;
+}
+
+const std::int32_t* dither_at(int x, int y) { return kDither[y & 7].data() + (x & 7); }
+
+} // namespace evil::raster

@@ -1,0 +1,195 @@
+"""Lights: what shines on a scene, and how finely light is drawn (SPEC G5, G7)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+from evilengine import _core
+from evilengine.scene.camera import Matrix6
+from evilengine.scene.light import LIMITS, Light, to_mask, to_place
+from evilengine.values.checks import known_keywords, number, one_of
+from evilengine.values.colour import WHITE, Colour, ColourLike, to_colour
+from evilengine.values.errors import ArgumentError, ArgumentTypeError
+from evilengine.values.temperature import COLDEST, HOTTEST
+from evilengine.values.vec2 import Point, to_vec2
+from evilengine.world.body import Body
+from evilengine.world.world import World
+
+QUALITIES = {"low": 4, "medium": 2, "high": 1}
+"""Pixels that share one measure of light, along each side."""
+
+DIM = 0.15
+"""The ambient light of a scene that has lights and was told of none: shadows are dark, and one sees what is in them."""
+
+BRIGHTEST = 4.0
+"""Ambient light beyond which everything is white."""
+
+SUN_SIZE = 0.05
+"""A sun's shadow is soft by so much of the distance to what casts it: some six times as soft as the real one's."""
+
+
+class Lights:
+    """The lights of a scene. Only drawings that are `lit` show them; the others look as they always do.
+
+    >>> game = evil.Game(headless=True)
+    >>> wall = game.draw(evil.Rectangle(20, 12), colour="#665544", lit=True)
+    >>> lamp = game.lights.add(at=(0, 2), radius=5)
+    >>> dusk = game.lights.add(direction=(1, -2), temperature=3000, intensity=0.4)
+    >>> [light.kind for light in game.lights]
+    ['lamp', 'sun']
+    """
+
+    def __init__(self, world: World) -> None:
+        self._world = world
+        self._core = _core.Lights()
+        self._ambient: float | Colour | None = None
+        self._depth = 0.5
+        self._quality = "medium"
+
+    def __len__(self) -> int:
+        """How many there are, switched on or not. Those of a body that was destroyed count until the next frame."""
+        return len(self._core)
+
+    def __iter__(self) -> Iterator[Light]:
+        """Each light, in the order of their slots."""
+        lights = [Light(self, slot, self._core.generation(slot)) for slot in self._core.slots()]
+        return iter([light for light in lights if light.alive])
+
+    @property
+    def ambient(self) -> float | Colour:
+        """The light that is everywhere: 1.0 shows things as they are drawn, 0 nothing; or a colour.
+
+        Until it is set, it is 1.0 as long as there are no lights, and 0.15 from the first one on.
+        """
+        if self._ambient is None:
+            return DIM if len(self) else 1.0
+        return self._ambient
+
+    @ambient.setter
+    def ambient(self, value: float | ColourLike) -> None:
+        if isinstance(value, (int, float)):
+            self._ambient = number(value, "Lights", "ambient", least=0.0, most=BRIGHTEST)
+        else:
+            self._ambient = to_colour(value, "Lights", "ambient")
+
+    @property
+    def depth(self) -> float:
+        """Metres that light soaks into bodies that are lit: their sides shine, and further in they are dark."""
+        return self._depth
+
+    @depth.setter
+    def depth(self, value: float) -> None:
+        self._depth = number(value, "Lights", "depth", least=0.0, most=100.0)
+
+    @property
+    def quality(self) -> str:
+        """How finely light is drawn: "low", "medium" or "high": for each four, two or one pixels."""
+        return self._quality
+
+    @quality.setter
+    def quality(self, value: str) -> None:
+        self._quality = one_of(value, "Lights", "quality", QUALITIES)
+
+    @known_keywords
+    def add(
+        self,
+        *,
+        at: Point | None = None,
+        direction: Point | None = None,
+        cone: float | None = None,
+        edge: float = 0.3,
+        colour: ColourLike = WHITE,
+        temperature: float | None = None,
+        intensity: float = 1.0,
+        radius: float = 8.0,
+        size: float | None = None,
+        falloff: float = 2.0,
+        shadows: bool = True,
+        mask: int = 0xFFFFFFFF,
+        on: bool = True,
+        body: Body | None = None,
+    ) -> Light:
+        """A lamp `at` a point; with a `direction` or a `cone` (radians) a spot; with a direction alone a sun.
+
+        On a `body`, `at` and `direction` are the body's own, and it moves with it; that body casts no shadow in it, nor
+        does one that the light is inside of. The rest may be changed later: see Light.
+
+        Raises ArgumentError or ArgumentTypeError, and adds nothing then.
+        """
+        owner = "Lights.add"
+        if at is None and body is None and direction is None:
+            raise ArgumentError(f"{owner}: say where the light is, at=(x, y), or where it comes from, direction=(x, y)")
+        sun = at is None and body is None
+        if sun and cone is not None:
+            raise ArgumentError(f"{owner}: cone={cone!r}: a light from far away has none; say where it is, at=(x, y)")
+        where = None if body is None else self._on(body, owner)
+        angle = 0.0 if direction is None else _angle_of(direction, owner)
+        numbers = {
+            "cone": 1.0 if cone is None else cone,
+            "edge": edge,
+            "intensity": intensity,
+            "radius": radius,
+            "size": (SUN_SIZE if sun else 0.2) if size is None else size,
+            "falloff": falloff,
+        }
+        for name, value in numbers.items():
+            number(value, owner, name, least=LIMITS[name][0], most=LIMITS[name][1])
+        if temperature is not None:
+            number(temperature, owner, "temperature", least=COLDEST, most=HOTTEST)
+        tint = to_colour(colour, owner, "colour")
+        categories = to_mask(mask, owner)
+        place = to_place((0.0, 0.0) if at is None else at)
+
+        spot = not sun and (direction is not None or cone is not None)
+        light = Light(self, *self._core.add(where))
+        reach = _core.Reach.parallel if sun else _core.Reach.cone if spot else _core.Reach.round
+        self._core.set_reach(light._slot, light._generation, reach)
+        for name, value in numbers.items():
+            setattr(light, name, value)
+        light.at, light.angle, light.colour, light.temperature = place, angle, tint, temperature
+        light.shadows, light.mask, light.on = shadows, categories, on
+        return light
+
+    def clear(self) -> None:
+        """Take away every light, and forget the ambient light; quality and depth stay."""
+        for light in self:
+            light.destroy()
+        self._ambient = None
+
+    def _on(self, body: Any, owner: str) -> tuple[int, int]:
+        if not isinstance(body, Body):
+            raise ArgumentTypeError(f"{owner}: body={body!r} must be a Body, or None to stand by itself")
+        body._require()
+        if body.world is not self._world:
+            raise ArgumentError(f"{owner}: {body!r} lives in another world than the one that these lights shine on")
+        return body.slot, body.generation
+
+    def _body_of(self, slot: int, generation: int) -> Body | None:
+        """The body that a light is on, dead or alive; None if there is no such light any more."""
+        if not self._core.alive(slot, generation):
+            return None
+        on = self._core.body(slot, generation)
+        return None if on is None else self._world._body(*on)
+
+    def _collect(
+        self, content: _core.DrawList, view: Matrix6, alpha: float, screen: tuple[int, int], scale: float
+    ) -> None:
+        """Put the frame's light into the draw list; without lights and ambient light, things look as they are."""
+        if self._ambient is None and not len(self):
+            return
+        ambient = self.ambient
+        colour, strength = (ambient, 1.0) if isinstance(ambient, Colour) else (WHITE, ambient)
+        step = QUALITIES[self._quality] * max(1, round(scale))
+        self._core.collect(
+            content, self._world._core, view, alpha, *screen, (colour.r, colour.g, colour.b), strength, self._depth,
+            step,
+        )  # fmt: skip
+
+
+def _angle_of(direction: Point, owner: str) -> float:
+    x, y = to_vec2(direction, owner, "direction")
+    if x == y == 0.0:
+        raise ArgumentError(f"{owner}: direction={direction!r} must not be (0, 0); (0, -1) shines down")
+    return math.atan2(y, x)
