@@ -222,7 +222,8 @@ class _Parser:
 
     def __init__(self, data: bytes, name: str) -> None:
         self._data, self._name = data, name
-        self._at = _HEAD.size
+        self._at = self._checked = _HEAD.size
+        self._checksum = 0  # of the bytes up to `_checked`
         self._header: dict[str, Any] | None = None
         self._state: bytes | None = None
         self._steps: list[Step] = []
@@ -255,7 +256,9 @@ class _Parser:
         elif SUMS <= kind < 2 * SUMS:
             self._take_sums(kind & (SUMS - 1))
         elif kind == SEAL:
-            if self._whole() != zlib.crc32(self._data[_HEAD.size : start]):
+            self._checksum = zlib.crc32(self._data[self._checked : start], self._checksum)
+            self._checked = start
+            if self._whole() != self._checksum:
                 raise ValueError(f"something was changed before step {len(self._steps) + 1}")
             return self._ended
         else:
