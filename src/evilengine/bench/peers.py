@@ -7,6 +7,7 @@ in its own engine, so that a scene is written once.
 from __future__ import annotations
 
 import importlib
+from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from typing import Any
 
@@ -20,7 +21,7 @@ Placed = tuple[float, float, float]
 """Where a body is: x, y, angle."""
 
 
-class Peer:
+class Peer(ABC):
     """A scene in another engine. What each engine has to say is below the line."""
 
     name: str
@@ -68,48 +69,50 @@ class Peer:
 
     # -- what each engine says --
 
+    @abstractmethod
     def open(self, gravity: Vec2) -> None:
         """Make an empty world."""
-        raise NotImplementedError
 
+    @abstractmethod
     def add(self, body: Body) -> Any:
         """Make the same body."""
-        raise NotImplementedError
 
+    @abstractmethod
     def remove(self, one: Any) -> None:
         """Take it away, with its joints."""
-        raise NotImplementedError
 
+    @abstractmethod
     def join(self, joint: Joint, a: Any, b: Any) -> None:
         """Make the same joint between the two."""
-        raise NotImplementedError
 
+    @abstractmethod
     def steer(self, one: Any, velocity: Vec2, spin: float) -> None:
         """Set the velocity of a kinematic body."""
-        raise NotImplementedError
 
+    @abstractmethod
     def advance(self, dt: float, substeps: int) -> None:
-        raise NotImplementedError
+        """Make a step."""
 
+    @abstractmethod
     def where(self, one: Any) -> Placed:
-        raise NotImplementedError
+        """Where the body is."""
 
+    @abstractmethod
     def ray(self, start: Vec2, end: Vec2) -> bool:
         """Does the segment hit anything?"""
-        raise NotImplementedError
 
     def close(self) -> None:
         """Let go of what the engine holds."""
 
     @staticmethod
+    @abstractmethod
     def boxes(count: int) -> tuple[object, list[Any]]:
         """So many unit boxes, made the quickest way its users are shown: what holds them, and the bodies."""
-        raise NotImplementedError
 
     @staticmethod
+    @abstractmethod
     def position(one: Any) -> object:
         """The way to a body's position."""
-        raise NotImplementedError
 
 
 def corners_of(shape: Shape) -> list[tuple[float, float]]:

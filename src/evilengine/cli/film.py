@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
+from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -107,7 +108,7 @@ class Screen(HeadlessDevice):
         self._full = bool(full)
 
 
-class _Camera:
+class _Camera(ABC):
     """A stage without a window; what is filmed is up to `shoot`, once."""
 
     def __init__(self, path: Path, target: Path, shot: Shot) -> None:
@@ -133,8 +134,9 @@ class _Camera:
             self.shoot(game)
         game.close()
 
+    @abstractmethod
     def shoot(self, game: Game) -> None:
-        raise NotImplementedError
+        """Film it."""
 
     def frame(self, game: Game, now: float) -> Image:
         """The picture at `now`, seconds from the start."""

@@ -6,6 +6,7 @@ read and changed, and `destroy()` ends it. The nine kinds are in `evil.joints`.
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar, TypeVar
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
     from evilengine.world.world import World
 
 
-class Joint:
+class Joint(ABC):
     """Base of the joints in `evil.joints`: ties body `b` to body `a`.
 
     The two do not touch each other unless `collide=True`. A joint that has to hold more than `breaking_force` newtons
@@ -170,9 +171,9 @@ class Joint:
 
     # -- how the world builds and finds it again --
 
+    @abstractmethod
     def _place(self, spec: _core.JointSpec) -> None:
         """Fill in what depends on where the bodies now are."""
-        raise NotImplementedError
 
     def _bind(self, world: World, handle: _core.Joint) -> None:
         self._world, self._fields = world, handle
