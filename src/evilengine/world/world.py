@@ -409,6 +409,7 @@ class World(Queries, Happenings, Cast):
             self._forget_shape(slot)
         self._handles.pop(body.slot, None)
         body._take_back()
+        bury_joints(self)
 
     def _destroy_body(self, body: Body) -> None:
         for slot in body._shape_slots():
