@@ -21,7 +21,7 @@ Rgb = tuple[float, float, float]
 def noise(width: int, height: int, cell: float, seed: int, stretch: float = 1.0) -> Field:
     """Smooth noise from 0 to 1, with a bump each `cell` pixels, `stretch` times as long as high."""
     chance = np.random.default_rng(seed)
-    total: Field = np.zeros((height, width))
+    total: Field = np.zeros((height, width), np.float64)
     weight = 0.0
     for octave in range(5):
         across, down = max(cell * stretch / 2**octave, 1.0), max(cell / 2**octave, 1.0)
@@ -32,16 +32,15 @@ def noise(width: int, height: int, cell: float, seed: int, stretch: float = 1.0)
         v, u = (v * v * (3 - 2 * v))[:, None], (u * u * (3 - 2 * u))[None, :]
         upper = grid[j][:, i] * (1 - u) + grid[j][:, i + 1] * u
         lower = grid[j + 1][:, i] * (1 - u) + grid[j + 1][:, i + 1] * u
-        total += (upper * (1 - v) + lower * v) * 0.5**octave
+        total = total + (upper * (1 - v) + lower * v) * 0.5**octave
         weight += 0.5**octave
-    total /= weight
-    return total
+    return np.asarray(total / weight, np.float64)
 
 
 def relief(height: Field, strength: float) -> Field:
     """How light falls on a surface from the upper left: 1 where it is flat."""
     down, across = np.gradient(height)
-    light: Field = 1.0 + strength * (across + down)
+    light: Field = np.asarray(1.0 + strength * (across + down), np.float64)
     return light
 
 
@@ -49,7 +48,8 @@ def edges(width: int, height: int, reach: float) -> Field:
     """0 on the rim of a picture, 1 farther in than `reach` pixels."""
     x = np.minimum(np.arange(width) + 0.5, width - np.arange(width) - 0.5)[None, :]
     y = np.minimum(np.arange(height) + 0.5, height - np.arange(height) - 0.5)[:, None]
-    return np.clip(np.minimum(x, y) / reach, 0.0, 1.0)
+    inside: Field = np.asarray(np.clip(np.minimum(x, y) / reach, 0.0, 1.0), np.float64)
+    return inside
 
 
 def blocks(width: int, height: int, wide: int, high: int, seed: int) -> tuple[Field, Field]:

@@ -162,6 +162,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
         "joint": joints,
         "drawing": scene.slots,
         "text": scene.texts,
+        "emitter": emitters.serials,
         "event": events,
     }
     present = [*game.levels, *[None] * len(state["levels"])]
@@ -213,6 +214,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
             "joint": game.world._joints.__getitem__,
             "drawing": scene.drawing,
             "text": scene.text,
+            "emitter": emitters.emitter,
             "event": waiting.__getitem__,
         }
         for later, (kind, number) in handles:

@@ -12,11 +12,11 @@ from __future__ import annotations
 import logging
 import random
 from collections.abc import Callable
-from pathlib import Path, PurePath
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from evilengine import script
-from evilengine.level import characters
+from evilengine.level import air, characters
 from evilengine.level.rules import Answers, Consequence, Gone, Rounds, Scope, Thing
 from evilengine.script.arithmetic import ArithmeticProblem, evaluate
 from evilengine.script.tags import Rule, Tags
@@ -215,8 +215,8 @@ class Level:
                 game.camera.fit(width, height)
             case commands.SetTilt(on=on):
                 game.tilt = on
-            case commands.SetBackground(what=what):
-                game.add_background(self._beside(what) if PurePath(what).suffix else what)
+            case commands.SetBackground() | commands.SetPlane() | commands.SetLens() | commands.AddParticles():
+                air.carry_out(self, command, scope, game)
             case commands.SetSeed(seed=seed):
                 game.random.seed(seed)
             case commands.Go(file=file):

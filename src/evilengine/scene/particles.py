@@ -367,6 +367,15 @@ class EmittersState:
             trial._core.restore(data)
             self._rows.append((row, options, data))
 
+    @property
+    def serials(self) -> set[int]:
+        """The serial numbers of the emitters that there will be."""
+        return {int(row["serial"]) for row, _, _ in self._rows}
+
+    def emitter(self, serial: int) -> Emitter:
+        """The emitter of that number, after `put`."""
+        return next(emitter for emitter in self._scene._emitters if emitter._serial == serial)
+
     def put(self, body_of: Callable[[int], Body]) -> None:
         """Become what was saved; the world must have been restored. Handles of the same emitters stay good."""
         scene = self._scene

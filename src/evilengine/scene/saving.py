@@ -41,6 +41,7 @@ def state_of(scene: Scene) -> tuple[bytes, dict[str, Any]]:
         "texts": texts,
         "texts_made": scene._texts_made,
         "backgrounds": scene.backgrounds,
+        "emitters_made": scene._emitters_made,
         "layers": scene.layers.state(),
         "post": scene.post.state(),
         "lights": lights_state(scene.lights),
@@ -70,6 +71,7 @@ class SceneState:
         self._from_palette = int(rest["from_palette"])
         self._texts_made = int(rest["texts_made"])
         self._backgrounds = int(rest.get("backgrounds", 0))
+        self._emitters_made = int(rest.get("emitters_made", 0))
         self._layers = scene.layers.read(rest.get("layers", Layers().state()))
         self._post = scene.post.read(rest.get("post", Post().state()))
         self._lights = SavedLights(scene.lights, rest.get("lights"))
@@ -100,6 +102,7 @@ class SceneState:
         scene.background = self._background
         scene._from_palette = self._from_palette
         scene.backgrounds = self._backgrounds
+        scene._emitters_made = self._emitters_made
         scene.layers.become(self._layers)
         scene.post.become(self._post)
         self._lights.put()

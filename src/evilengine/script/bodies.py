@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from evilengine.script.air import PARTICLES
 from evilengine.script.arithmetic import formula
 from evilengine.script.joints import JOINTS
 from evilengine.script.names import DRAWING, SOMETHING, Made, family_made
@@ -47,6 +48,9 @@ class ThingBuilder(ShapeBuilder):
                 commands = self._joint(statement, settings)
             elif kind.family == "character":
                 commands = self._character(statement, settings)
+            elif kind.family == PARTICLES:
+                name = statement.name.name if statement.name else ""
+                commands = [values.AddParticles(statement.place, name, tuple(self._options(settings)))]
             elif kind.family == "spring":
                 commands = self._spring(statement, settings)
             elif kind.family == "ladder":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from evilengine.script.air import PARTICLES
 from evilengine.script.arithmetic import Bounds
 from evilengine.script.bodies import BODIES, ThingBuilder
 from evilengine.script.characters import TELLINGS
@@ -17,6 +18,7 @@ from evilengine.script.syntax import (
     Literal,
     New,
     Order,
+    Picturing,
     Rounds,
     Sounding,
     Spot,
@@ -32,7 +34,7 @@ from evilengine.values import level as values
 from evilengine.values.level import Called, Command, Number, Option, Place, Tagged, Value
 from evilengine.values.tick import FASTEST, SLOWEST
 
-THINGS = (*BODIES, *JOINTS, "spring", "force", "drag", "medium", DRAWING, TEXT)
+THINGS = (*BODIES, *JOINTS, PARTICLES, "spring", "force", "drag", "medium", DRAWING, TEXT)
 
 _SECONDS = Range(least=0.0, most=1e6)
 _INTERVAL = Range(least=0.02, most=1e6)  # shorter than a step is no interval
@@ -71,6 +73,8 @@ class Builder(ThingBuilder):
                 return self.new(statement)
             case Order():
                 return self._order(statement)
+            case Picturing():
+                return self._picturing(statement)
             case Steering():
                 return self._steering(statement)
             case TextLine():
@@ -119,8 +123,6 @@ class Builder(ThingBuilder):
                 return [values.SetGravity(place, self.pair(pull, "gravity", Range(least=-1000.0, most=1000.0)))]
             case "tilt", (Identifier(name=switch),):
                 return [values.SetTilt(place, switch == "on")]
-            case "background", (Text() as what,):
-                return [self._background(what, place)]
             case "go" | "restart", _:
                 return self._go(statement)
             case "pace", (pace,):
@@ -145,8 +147,24 @@ class Builder(ThingBuilder):
             message = f"this level is written in language {version.value:g}; this engine knows {LANGUAGE_VERSION}"
             self.error("wrong-version", message, version.place, "write: evil 1;")
 
-    def _background(self, what: Text, place: Place) -> values.SetBackground:
-        return values.SetBackground(place, self.picture(what) if "." in what.value else self.colour(what))
+    def _picturing(self, statement: Picturing) -> list[Command]:
+        place, what = statement.place, statement.what
+        settings = self.by_word(statement.settings, statement.word)
+        options = tuple(Option(entry.option, self.value(setting, entry)) for setting, entry in settings.values())
+        if statement.word == "background" and isinstance(what, Text):
+            is_picture = "." in what.value
+            said = self.picture(what) if is_picture else self.colour(what)
+            if settings and not is_picture:
+                (first, *_) = statement.settings
+                self.error("wrong-property", f"a colour has no {first.word}", first.place, "a picture has")
+            return [] if statement.broken else [values.SetBackground(place, said, options)]
+        if statement.broken:
+            return []
+        if statement.word == "lens":
+            return [values.SetLens(place, options)]
+        assert what is not None and not isinstance(what, Text | Identifier | Spot)  # noqa: PT018
+        layer = self.whole(what, "the layer", Range(least=-1000.0, most=1000.0))
+        return [values.SetPlane(place, layer, options)]
 
     def _impulse(self, name: Identifier, kick: Spot, place: Place) -> list[Command]:
         made = self.called(name, BODIES, "thing")
@@ -213,14 +231,14 @@ class Builder(ThingBuilder):
     def _change(self, statement: Change) -> list[Command]:
         target = statement.target
         if statement.setting is None and statement.value is None:
-            self.called(target, (*BODIES, *JOINTS, DRAWING, TEXT, NUMBER), "thing")
+            self.called(target, (*BODIES, *JOINTS, PARTICLES, DRAWING, TEXT, NUMBER), "thing")
             return []
         if statement.setting is None:
             return self._change_number(statement)
-        made = self.called(target, (*BODIES, *JOINTS, DRAWING, TEXT), "thing")
+        made = self.called(target, (*BODIES, *JOINTS, PARTICLES, DRAWING, TEXT), "thing")
         if made is None or statement.broken:
             return []
-        family = made.family if made.family in (DRAWING, TEXT, "character", *JOINTS) else "body"
+        family = made.family if made.family in (DRAWING, TEXT, "character", PARTICLES, *JOINTS) else "body"
         entry = property_of(statement.setting.word, family)
         if made.family == SOMETHING and (entry is None or not entry.settable):
             entry = property_of(statement.setting.word, "character")

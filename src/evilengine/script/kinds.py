@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from evilengine.script.air import AIR_KINDS
 from evilengine.script.characters import CHARACTER_KINDS
 from evilengine.script.joints import JOINT_KINDS
 from evilengine.script.word import ANY, MAX_CORNERS, NOT_NEGATIVE, Kind, Range, Size
@@ -139,6 +140,7 @@ KINDS: Mapping[str, Kind] = {
             meant=("water", "mud", "liquid", "area", "lake", "pond"),
         ),
         *CHARACTER_KINDS,
+        *AIR_KINDS,
         *JOINT_KINDS,
     )
 }

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from evilengine.script.expressions import Skip, cut, shown
 from evilengine.script.lexer import Source, Token, tokens
-from evilengine.script.steering import Steered
+from evilengine.script.picturing import Pictured
 from evilengine.script.syntax import (
     Block,
     Choice,
@@ -47,7 +47,7 @@ def parse(source: Source) -> tuple[Level, frozenset[str]]:
     return parser.level(), frozenset(parser.lost)
 
 
-class Parser(Steered):
+class Parser(Pictured):
     """One method for each statement word."""
 
     def __init__(self, source: Source, tokens: list[Token]) -> None:
@@ -186,6 +186,8 @@ class Parser(Steered):
                 return self.sounding(word, place, before)
             case "set":
                 return self.changed(place, before)
+            case "background" | "plane" | "lens":
+                return self.picturing(word, place, before)
             case "drive" | "tell":
                 return self.steering(word, place, before)
             case "on":
@@ -221,8 +223,6 @@ class Parser(Steered):
                 return (self.spot("view needs two numbers, width and height, as in: view 16 9;"),)
             case "tilt":
                 return (self.switch("tilt"),)
-            case "background":
-                return (self.colour("background"),)
             case "go":
                 return (self.file("go", "a level", "level2.evil"),)
             case "restart":

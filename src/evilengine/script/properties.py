@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from evilengine.script.air import AIR_PROPERTIES
 from evilengine.script.characters import CHARACTER_PROPERTIES
 from evilengine.script.joints import JOINT_PROPERTIES
 from evilengine.script.meeting import MEETING
@@ -122,6 +123,7 @@ PROPERTIES: tuple[Property, ...] = (
     _text("colour", "colour", "The colour of its letters.", 'colour "gold"', settable=True, spellings=("color",),
         meant=("fill", "tint", "paint", "col")),
     *CHARACTER_PROPERTIES,
+    *AIR_PROPERTIES,
     *JOINT_PROPERTIES,
 )
 # fmt: on

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from evilengine.script.air import AIR_STATEMENTS
 from evilengine.script.word import Statement, Word
 
 STATEMENTS: Mapping[str, Statement] = {
@@ -35,13 +36,7 @@ STATEMENTS: Mapping[str, Statement] = {
             doc="Lets the tilt of the device turn gravity. Arrow keys or the mouse wheel stand in for it.",
             example="tilt on;",
         ),
-        Statement(
-            word="background",
-            form='background "COLOUR";  background "PICTURE";',
-            doc="What is behind everything: a colour, or a picture file in the level's folder.",
-            example='background "midnightblue";',
-            meant=("sky", "backdrop"),
-        ),
+        *AIR_STATEMENTS,
         Statement(
             word="seed",
             form="seed NUMBER;",

@@ -93,6 +93,17 @@ class New:
 
 
 @dataclass(frozen=True, slots=True)
+class Picturing:
+    """`background` with a colour or a picture, `plane` with a layer, or `lens`."""
+
+    word: str
+    what: Item | None
+    settings: tuple[Setting, ...]
+    place: Place
+    broken: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Steering:
     """`drive` with its keys, or `tell` with what it says; `target` is None for `drive off`."""
 
@@ -185,7 +196,9 @@ class Unknown:
     place: Place
 
 
-StatementNode: TypeAlias = New | Order | Steering | TextLine | Sounding | Change | Event | Rounds | Choice | Unknown
+StatementNode: TypeAlias = (
+    New | Order | Picturing | Steering | TextLine | Sounding | Change | Event | Rounds | Choice | Unknown
+)
 Block: TypeAlias = tuple[StatementNode, ...]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import PurePath
 
 from evilengine.script.blocks import destroyed, is_deferred, used
-from evilengine.script.python_meetings import PythonMeetings
+from evilengine.script.python_pictures import PythonPictures
 from evilengine.script.python_values import imports, literal, quoted
 from evilengine.values import level as commands
 from evilengine.values.level import Block, Called, Command, LevelScript, Number
@@ -34,7 +34,7 @@ def translate(level: LevelScript) -> str:
     return Translator(level).program()
 
 
-class Translator(PythonMeetings):
+class Translator(PythonPictures):
     """One method for each command."""
 
     def program(self) -> str:
@@ -68,8 +68,8 @@ class Translator(PythonMeetings):
                 self._line(f"game.world.gravity = {self.value(gravity)}")
             case commands.SetTilt(on=on):
                 self._line(f"game.tilt = {on}")
-            case commands.SetBackground(what=what):
-                self._line(f"game.add_background({quoted(what)})")
+            case commands.SetBackground() | commands.SetPlane() | commands.SetLens() | commands.AddParticles():
+                self._picture(command)
             case commands.Go(file=file):
                 self._line(f"game.go({quoted(file)})" if file else "game.restart()")
             case commands.SetPace(pace=pace):

@@ -80,10 +80,41 @@ class SetTilt:
 
 @dataclass(frozen=True, slots=True)
 class SetBackground:
-    """A colour, or a picture's file name."""
+    """A colour, or a picture's file name and how it is seen."""
 
     place: Place
     what: str
+    options: tuple[Option, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class SetPlane:
+    """How a layer is seen."""
+
+    place: Place
+    layer: int
+    options: tuple[Option, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class SetLens:
+    """What is done to the whole picture."""
+
+    place: Place
+    options: tuple[Option, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class AddParticles:
+    """An emitter, called `name` ("" for none); nothing, when what it follows is gone."""
+
+    place: Place
+    name: str
+    options: tuple[Option, ...]
+
+
+Picture: TypeAlias = SetBackground | SetPlane | SetLens | AddParticles
+"""Commands about how the picture looks."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -341,7 +372,7 @@ Command: TypeAlias = (
     SetGravity
     | SetView
     | SetTilt
-    | SetBackground
+    | Picture
     | SetSeed
     | AddBody
     | AddCharacter

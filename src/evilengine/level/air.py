@@ -1,0 +1,37 @@
+"""The commands of backgrounds, planes, particles and the lens."""
+
+from __future__ import annotations
+
+from pathlib import PurePath
+from typing import TYPE_CHECKING, Any
+
+from evilengine.level.rules import Scope
+from evilengine.script.air_options import emitter_options
+from evilengine.values import level as commands
+
+if TYPE_CHECKING:
+    from evilengine.game import Game
+    from evilengine.level.level import Level
+
+
+def carry_out(level: Level, command: commands.Picture, scope: Scope, game: Game) -> None:
+    options: dict[str, Any] = {each.name: level._value(each.value, scope) for each in command.options}
+    match command:
+        case commands.SetBackground(what=what):
+            game.add_background(level._beside(what) if PurePath(what).suffix else what, **options)
+        case commands.SetPlane(layer=number):
+            layer = game.layers[int(level._number(number, scope))]
+            if "fog_above" in options:
+                options["fog"] = [options.get("fog", options["fog_above"]), options.pop("fog_above")]
+            for name, value in options.items():
+                setattr(layer, name, value)
+        case commands.SetLens():
+            if options.pop("filmic", False):
+                options["tone_mapping"] = "filmic"
+            for name, value in options.items():
+                setattr(game.post, name, value)
+        case commands.AddParticles(name=name):
+            if level._has_room(command) and options.get("body", True) is not None:
+                if "texture" in options:
+                    options["texture"] = level._beside(options["texture"])
+                level._made_thing(game.add_particles(**emitter_options(options)), name, scope)

@@ -1,0 +1,26 @@
+"""What the words of particles mean together, as an emitter takes it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+
+def emitter_options(said: Mapping[str, Any]) -> dict[str, Any]:
+    """Beginning and end as one curve, width and height as one area, flags as what they stand for.
+
+    >>> emitter_options({"size": 0.1, "end_size": 1.0, "wide": 4.0, "blend": True, "rate": 9.0})
+    {'size': [0.1, 1.0], 'blend': 'add', 'rate': 9.0, 'area': (4.0, 0.0)}
+    """
+    options = dict(said)
+    for first, last, usual in (("size", "end_size", 0.1), ("colour", "fade", "white")):
+        if last in options:
+            end = options.pop(last)
+            options[first] = [options.get(first, usual), end]
+    if "wide" in options or "tall" in options:
+        options["area"] = (options.pop("wide", 0.0), options.pop("tall", 0.0))
+    if options.get("blend"):
+        options["blend"] = "add"
+    if options.get("soft"):
+        options["soft"] = False
+    return options

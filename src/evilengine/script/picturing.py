@@ -1,0 +1,26 @@
+"""The part of the parser that reads how the picture looks: background, plane, lens."""
+
+from __future__ import annotations
+
+from evilengine.script.expressions import Skip
+from evilengine.script.steering import Steered
+from evilengine.script.syntax import Item, Picturing
+from evilengine.values.level import Place
+
+
+class Pictured(Steered):
+    """Readers of `background`, `plane` and `lens`."""
+
+    def picturing(self, word: str, place: Place, before: int) -> Picturing:
+        what: Item | None = None
+        try:
+            if word == "background":
+                what = self.colour("background")
+            elif word == "plane":
+                what = self.number("plane needs a layer, a whole number, as in: plane -2 parallax 0.3;")
+        except Skip:
+            pass  # its properties may hold errors of their own
+        settings = self.settings(word)
+        broken = self.broken(before)
+        self.finish()
+        return Picturing(word, what, settings, place, broken)

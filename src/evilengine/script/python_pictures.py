@@ -1,0 +1,58 @@
+"""How the picture looks, as Python: backgrounds, layers, the post pass, particles."""
+
+from __future__ import annotations
+
+from evilengine.script.air_options import emitter_options
+from evilengine.script.python_meetings import PythonMeetings
+from evilengine.script.python_values import quoted
+from evilengine.values import level as commands
+
+_ANGLES = frozenset({"direction", "cone", "spin"})
+
+
+class _Code(str):
+    """Python as it is to be written."""
+
+
+class PythonPictures(PythonMeetings):
+    """Writes commands about how the picture looks."""
+
+    def _picture(self, command: commands.Picture) -> None:
+        said = {each.name: _Code(self._written(each)) for each in command.options}
+        match command:
+            case commands.SetBackground(what=what):
+                arguments = [quoted(what), *(f"{name}={value}" for name, value in said.items())]
+                self._call("", "game.add_background", arguments)
+            case commands.SetPlane(layer=layer):
+                if "fog_above" in said:
+                    above = said.pop("fog_above")
+                    said["fog"] = _Code(f"[{said.get('fog', above)}, {above}]")
+                for name, value in said.items():
+                    self._line(f"game.layers[{layer}].{name} = {value}")
+            case commands.SetLens():
+                if said.pop("filmic", ""):
+                    said["tone_mapping"] = _Code(quoted("filmic"))
+                for name, value in said.items():
+                    self._line(f"game.post.{name} = {value}")
+            case commands.AddParticles(name=name):
+                options = emitter_options(said)
+                body = [str(options["body"])] if "body" in options else []
+                with self._if_alive(*body):
+                    arguments = [f"{key}={_shown(value)}" for key, value in options.items()]
+                    self._call(self._naming(name), "game.add_particles", arguments)
+
+    def _written(self, option: commands.Option) -> str:
+        return self.angle(option.value) if option.name in _ANGLES else self.value(option.value)
+
+
+def _shown(value: object) -> str:
+    match value:
+        case _Code():
+            return str(value)
+        case str():
+            return quoted(value)
+        case list():
+            return f"[{', '.join(map(_shown, value))}]"
+        case tuple():
+            return f"({', '.join(map(_shown, value))})"
+    return repr(value)
