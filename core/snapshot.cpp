@@ -327,6 +327,7 @@ void restore(World& w, SavedState& s) {
     w.time = s.time;
     w.bodies = std::move(s.bodies);
     w.shapes = std::move(s.shapes);
+    w.weighed = {};
     w.contacts = std::move(s.contacts);
     w.events = std::move(s.events);
     w.forces = std::move(s.forces);

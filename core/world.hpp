@@ -60,6 +60,7 @@ struct World {
     Seams seams;
     Continuous continuous;
     MediaScratch media;
+    Weighed weighed;
     Solver solver;
     Buried buried;
     Search search;

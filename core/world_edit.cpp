@@ -19,25 +19,42 @@ void show_at_once(World& world, std::uint32_t body) { // a body put somewhere by
     world.previous[body] = world.present[body];
 }
 
+// Whoever changes a shape or takes one away weighs the body anew at once; so a body that has grown by one shape since it was
+// weighed last has changed in nothing else.
+Moments weigh(World& world, std::uint32_t slot) {
+    const Body& b = world.bodies.rows[slot];
+    Weighed& w = world.weighed;
+    bool grown = w.body == slot && w.last_shape != kNone && b.last_shape != kNone &&
+                 world.shapes.rows[w.last_shape].next == b.last_shape;
+    if (!grown) w.sum = {};
+    for (std::uint32_t s = grown ? b.last_shape : b.first_shape; s != kNone; s = world.shapes.rows[s].next) {
+        Moments m = moments(world.shapes, s, b.scale);
+        w.sum.mass += m.mass;
+        w.sum.x += m.x;
+        w.sum.y += m.y;
+        w.sum.inertia += m.inertia;
+    }
+    w.body = slot;
+    w.last_shape = b.last_shape;
+    return w.sum;
+}
+
 // Mass, centre and inertia from the shapes, or a problem and no change.
 MassProblem update_mass(World& world, std::uint32_t slot) {
     Body& b = world.bodies.rows[slot];
-    Moments sum;
-    for (std::uint32_t s = b.first_shape; s != kNone; s = world.shapes.rows[s].next) {
-        Moments m = moments(world.shapes, s, b.scale);
-        sum.mass += m.mass;
-        sum.x += m.x;
-        sum.y += m.y;
-        sum.inertia += m.inertia;
-    }
+    const Moments sum = weigh(world, slot);
+    auto refuse = [&](MassProblem problem) {
+        world.weighed = {}; // what was tried is taken back
+        return problem;
+    };
     bool bare = b.first_shape == kNone;
     double mass = b.set_mass > 0.0f ? double(b.set_mass) : bare ? (b.mass > 0.0f ? double(b.mass) : 1.0) : sum.mass;
-    if (!(mass >= kMinMass) || (!bare && !(sum.mass > 0.0))) return MassProblem::too_small;
-    if (!(mass <= kMaxMass)) return MassProblem::too_large;
+    if (!(mass >= kMinMass) || (!bare && !(sum.mass > 0.0))) return refuse(MassProblem::too_small);
+    if (!(mass <= kMaxMass)) return refuse(MassProblem::too_large);
     double cx = bare ? 0.0 : sum.x / sum.mass, cy = bare ? 0.0 : sum.y / sum.mass;
     double about_centre = bare ? 0.0 : sum.inertia - sum.mass * (cx * cx + cy * cy);
     double inertia = bare ? 0.0 : std::max(about_centre, 0.0) * (mass / sum.mass);
-    if (!(inertia <= 1e30)) return MassProblem::too_large;
+    if (!(inertia <= 1e30)) return refuse(MassProblem::too_large);
     if (inertia < 1e-30) inertia = 0.0; // a particle does not turn
 
     Vec2 old_centre = b.centre;
@@ -152,6 +169,7 @@ void destroy_body(World& world, std::uint32_t slot) {
         unlink_shape(world, slot, shape);
         remove_shape_row(world.shapes, shape);
     }
+    world.weighed = {};
     world.bodies.slots.release(slot);
     world.bodies.rows[slot] = {};
     world.bodies.tags[slot].clear();

@@ -118,4 +118,10 @@ struct Moments {
 };
 Moments moments(const Shapes& shapes, std::uint32_t shape, Vec2 scale);
 
+// What the shapes of the body that was weighed last add up to: one more is added to that, rather than to all of them anew.
+struct Weighed { // Scratch
+    std::uint32_t body = kNone, last_shape = kNone;
+    Moments sum;
+};
+
 } // namespace evil

@@ -78,8 +78,8 @@ class DrawnBody(Body):
     def add_shape(self, shape: ShapeDefinition, **options: Any) -> Shape:
         """Add one more shape, as `Body.add_shape` does; on a body that is drawn it looks like the first drawing."""
         added = super().add_shape(shape, **options)
-        if self.drawings:
-            like = self.drawings[0]
+        like = next((drawing for drawing in self._all_drawings() if drawing.alive), None)
+        if like is not None:
             scene_of(self.world).add(
                 added, colour=like.colour, outline=like.outline, layer=like.layer, visible=like.visible, lit=like.lit
             )
