@@ -64,3 +64,30 @@ def circle_corners(body: evil.Body, radius: float) -> Floats:
     """A circle as many corners."""
     turn = np.arange(96) * 2 * np.pi / 96
     return np.array(body.position) + radius * np.stack([np.cos(turn), np.sin(turn)], axis=-1)
+
+
+class Lamplight(evil.Game):
+    """What the golden picture shows: a wall, a floor, crates, balls and a plank in the light of two lamps and a spot."""
+
+    def __init__(self) -> None:
+        super().__init__("Lamplight", size=(320, 180), headless=True, renderer="soft", gravity=(0, 0))
+        self.camera.view_height = 9
+        back = self.draw(evil.Rectangle(20, 12), colour="#8a7f74", lit=True, layer=-1, outline=False)
+        self.walls = [back]
+        self.add(evil.Rectangle(19, 1.2), at=(0, -4.2), kind="static", colour="#6b7a5c", lit=True)
+        self.add(evil.Rectangle(1.2, 1.2), at=(-2, -3), angle=0.3, colour="#b98b5a", lit=True)
+        self.add(evil.Rectangle(1, 1), at=(-5, 0), colours=["#c98", "#b98b5a", "#a64", "#dba"], lit=True)
+        self.add(evil.Circle(0.7), at=(2.5, -1), colour="#c0504d", lit=True)
+        self.add(evil.Circle(0.3), at=(4.5, 2), colour="#4d80c0", lit=True)
+        self.add(evil.Rectangle(0.25, 3), at=(0.8, 1.4), angle=-0.4, colour="#9a9a9a", lit=True)
+        self.add(evil.Rectangle(1.2, 0.2, rounding=0.1), at=(5.5, -2), colour="#9a9a9a", lit=True)
+        self.add(evil.Circle(0.25), at=(-6.5, 3.2), colour="#ffffff")  # not lit
+        self.ambient = 0.06
+        self.add_light(at=(-1.5, 1.5), temperature=2700, radius=9, size=0.35, intensity=2)
+        self.add_light(at=(6, 3), colour="#86a8ff", radius=8, size=0.15, intensity=1.5)
+        self.add_light(at=(-6.5, 3.2), direction=(1, -3), cone=0.7, colour="#d0ffb0", radius=10, intensity=1.2)
+
+
+def lamps_and_shadows() -> Lamplight:
+    """That game, with its first frame due."""
+    return Lamplight()

@@ -131,7 +131,8 @@ void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affin
                                      kNoTexture,
                                      multiplied(drawing.edge, layer.tint),
                                      drawing.edge_width * points,
-                                     drawing.blend, drawing.lit});
+                                     drawing.blend,
+                                     drawing.lit});
     }
 }
 

@@ -109,6 +109,7 @@ Look look_of(const Context& context, const draw::Instance& instance, const Shape
     quad.first_facet = shape.first_facet;
     look.facets = shape.facets;
     if (mesh.coloured_corners && shape.facets > 0) look.flags |= kColoured;
+    if (instance.lit && context.list.light.on) look.flags |= kLit;
     if (instance.blend == draw::Blend::add)
         look.flags |= kAdds;
     else

@@ -37,6 +37,7 @@ enum Flag : std::uint32_t {
     kTextured = 16, // `unit` names a picture
     kAdds = 32,     // what is behind stays as it is (draw::Blend::add)
     kFine = 64,     // the picture's copy is picked by the way that it is squeezed less
+    kLit = 128,     // multiplied with the light map
 };
 
 // One instance of the draw call. Layout known to renderer/gl/pipeline.py (INSTANCE).

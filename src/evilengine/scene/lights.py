@@ -45,7 +45,7 @@ class Lights:
         self._world = world
         self._core = _core.Lights()
         self._ambient: float | Colour | None = None
-        self._depth = 0.5
+        self._depth = 0.8
         self._quality = "medium"
 
     def __len__(self) -> int:

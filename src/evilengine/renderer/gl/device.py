@@ -10,8 +10,9 @@ from typing import Literal, Protocol
 Data = bytes | bytearray | memoryview
 """What is uploaded; any object that shows contiguous memory will do."""
 
-TextureKind = Literal["picture", "data"]
-"""A picture: four bytes a texel, repeated and filtered, with smaller copies. Data: four floats, fetched one by one."""
+TextureKind = Literal["picture", "data", "light"]
+"""A picture: four bytes a texel, repeated and filtered, with smaller copies. Data: four floats, fetched one by one.
+Light: four floats of 16 bits, filtered."""
 
 Blend = Literal["over", "multiply", "screen"]
 """How colours s, multiplied with alpha, meet d behind them: s + d (1 - alpha), s d + d (1 - alpha), s + d (1 - s)."""

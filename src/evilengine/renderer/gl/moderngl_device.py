@@ -270,7 +270,7 @@ class ModernGlDevice:
         return _Buffer(self)
 
     def texture(self, kind: TextureKind, size: tuple[int, int], *, levels: int = 1) -> Texture:
-        native = self.context.texture(size, 4, dtype="f1" if kind == "picture" else "f4")
+        native = self.context.texture(size, 4, dtype=_NUMBERS[kind])
         if levels > 1:
             native.build_mipmaps(max_level=levels - 1)  # makes room for the copies, which are then written
         if kind == "data":
@@ -347,6 +347,7 @@ class ModernGlDevice:
         self.context.enable(moderngl.BLEND)
 
 
+_NUMBERS: dict[TextureKind, str] = {"picture": "f1", "data": "f4", "light": "f2"}
 _FORMATS: dict[str, tuple[str, str]] = {"float": ("f", "f"), "uint": ("i", "u")}
 _BLENDS: dict[Blend, tuple[int, int]] = {
     "over": (moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA),

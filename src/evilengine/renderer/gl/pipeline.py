@@ -12,6 +12,7 @@ from evilengine import _core
 from evilengine.renderer.gl import shaders
 from evilengine.renderer.gl.device import Attribute, Blend, GraphicsDevice, Layout, Program, Target, Texture
 from evilengine.renderer.gl.filters import Filters
+from evilengine.renderer.gl.light import LightTexture
 from evilengine.values.drawlist import DrawList
 from evilengine.values.image import Image
 
@@ -79,14 +80,15 @@ class Pipeline:
         self.target: Target | None = None
         self._batcher = _core.Batcher()
         self._pictures: dict[int, Texture] = {}
-        self._programs: dict[tuple[int, bool], Program] = {}  # by how many pictures a draw call mixes, and facets
+        self._programs: dict[tuple[int, bool, bool], Program] = {}  # by pictures a draw call mixes, facets, light
         self._quads = device.buffer()
         self._specks = device.buffer()
         self._spare: Target | None = None  # of the same size, for what is done to a whole picture
         self._filters = Filters(device)
         self._shapes = _Shapes(device)
+        self._light = LightTexture(device)
         for pictures in MIXES[:2]:  # compiled now, so that no frame waits for it, and errors come at the start
-            self._program(pictures, False)
+            self._program(pictures, False, False)
 
     # ---- pictures -------------------------------------------------------------------------------------------------
 
@@ -128,6 +130,7 @@ class Pipeline:
         specks = self._batcher.specks
         if len(specks):
             self._specks.write(specks, len(specks))
+        light = self._light.of(frame.content)
         for batch in batches:
             if isinstance(batch[0], str):
                 target = self._interlude(target, *batch)
@@ -135,13 +138,17 @@ class Pipeline:
             first, count, pictures, look = batch
             self.device.draw(
                 target,
-                self._program(next(mix for mix in MIXES if mix >= len(pictures)), bool(look & 1)),
+                self._program(next(mix for mix in MIXES if mix >= len(pictures)), bool(look & 1), light is not None),
                 instances=(self._quads, INSTANCE, first, count),
                 textures=[
                     ("shapes", self._shapes.texture),
                     *((f"picture{unit}", self._pictures[texture]) for unit, texture in enumerate(pictures)),
+                    *((("light", light),) if light is not None else ()),
                 ],
-                uniforms={"target_size": (float(frame.size[0]), float(frame.size[1]))},
+                uniforms={
+                    "target_size": (float(frame.size[0]), float(frame.size[1])),
+                    "light_place": self._light.place,
+                },
                 blend=BLENDS[look >> 1],
             )
         self.draw_calls = len(batches)
@@ -182,12 +189,12 @@ class Pipeline:
         self.device.show(program, [("picture", self.target.texture)], size)
         self.device.check()
 
-    def _program(self, pictures: int, facets: bool) -> Program:
-        if (pictures, facets) not in self._programs:
+    def _program(self, pictures: int, facets: bool, lit: bool) -> Program:
+        if (pictures, facets, lit) not in self._programs:
             vertex, fragment = shaders.load("shape.vert"), shaders.load("shape.frag")
-            defines = {"PICTURES": pictures, "FACETS": int(facets)}
-            self._programs[pictures, facets] = self.device.program(vertex, fragment, defines)
-        return self._programs[pictures, facets]
+            defines = {"PICTURES": pictures, "FACETS": int(facets), "LIGHT": int(lit)}
+            self._programs[pictures, facets, lit] = self.device.program(vertex, fragment, defines)
+        return self._programs[pictures, facets, lit]
 
     def _target(self, size: tuple[int, int]) -> Target:
         if self.target is None or self.target.size != size:
@@ -210,6 +217,7 @@ class Pipeline:
             if thing is not None:
                 thing.release()
         self._filters.release()
+        self._light.release()
         self._pictures.clear()
         self.target = self._spare = None
 

@@ -11,6 +11,10 @@ precision highp sampler2D;
 #define FACETS 1 // 0 where nothing has colours or texture coordinates that differ from triangle to triangle
 #endif
 
+#ifndef LIGHT
+#define LIGHT 0 // 1 where something of the frame is lit
+#endif
+
 uniform sampler2D shapes; // edges and facets of the meshes (core/gpu/shapes.hpp), then edges of this frame
 #if PICTURES >= 1
 uniform sampler2D picture0;
@@ -25,6 +29,11 @@ uniform sampler2D picture2, picture3;
 uniform sampler2D picture4, picture5, picture6, picture7;
 #endif
 
+#if LIGHT == 1
+uniform sampler2D light; // what colours are multiplied with (core/light/light_map.hpp)
+uniform vec4 light_place; // pixels: the middle of the first texel; texels a pixel, twice
+#endif
+
 in vec2 at;
 flat in vec4 to_pixel, to_mesh, places, inside, texture_matrix, colour;
 flat in uvec4 parts;
@@ -32,7 +41,7 @@ out vec4 result;
 
 const uint ROW = 1024u;
 const uint ALL = 0u, EDGES = 1u, DISC = 3u;
-const uint REPEAT = 1u << 4, HOLLOW = 4u << 4, COLOURED = 8u << 4, TEXTURED = 16u << 4, ADDS = 32u << 4, FINE = 64u << 4;
+const uint REPEAT = 1u << 4, HOLLOW = 4u << 4, COLOURED = 8u << 4, TEXTURED = 16u << 4, ADDS = 32u << 4, LIT = 128u << 4, FINE = 64u << 4;
 const uint FACET_TEXELS = 10u;
 
 vec4 texel(uint i) { return texelFetch(shapes, ivec2(i % ROW, i / ROW), 0); }
@@ -174,6 +183,28 @@ vec4 picture_colour(uint facet, uint count) {
 }
 #endif
 
+// ---- light ----
+
+#if LIGHT == 1
+// How far from its middle a pixel's rounding is moved: as `soft` does it (core/raster/lit.cpp), so that faint light has
+// no steps.
+float dither() {
+    uvec2 pixel = uvec2(gl_FragCoord.xy) & 7u;
+    uint rank = 0u;
+    for (uint bit = 0u; bit < 3u; ++bit) {
+        uint across = pixel.x >> bit & 1u, down = pixel.y >> bit & 1u;
+        rank |= ((across ^ down) << 1 | down) << (2u * (2u - bit));
+    }
+    return (float(rank) * 8.0 + 4.0) / 512.0 - 0.5;
+}
+
+vec3 lit_up(vec4 unlit) {
+    vec2 place = (gl_FragCoord.xy - light_place.xy) * light_place.zw + 0.5;
+    vec3 factor = texture(light, place / vec2(textureSize(light, 0))).rgb;
+    return min(unlit.rgb * factor + unlit.a * dither() / 255.0, vec3(unlit.a));
+}
+#endif
+
 void main() {
     result = colour * coverage();
     uint facet = 0u, facets = parts.w >> 16;
@@ -183,6 +214,9 @@ void main() {
 #endif
 #if PICTURES >= 1
     if ((parts.w & TEXTURED) != 0u) result *= picture_colour(facet, facets);
+#endif
+#if LIGHT == 1
+    if ((parts.w & LIT) != 0u) result.rgb = lit_up(result);
 #endif
     if ((parts.w & ADDS) != 0u) result.a = 0.0; // then nothing is taken from what is behind
 }
