@@ -17,11 +17,11 @@ background "sky.png";
 background "hills.png" parallax 0.3 tall 4;
 draw circle moon 1 at 2 1 colour "white" layer -2;
 plane -2 parallax 0.5 tint "#406080" fog "#ffffff40" fogAbove "#ffffff00" blur 2;
-lens bloom 0.6 threshold 0.8 exposure 1.2 contrast 1.1 saturation 0.9 tint "#fff0d8" vignette 0.4 grain 0.02 filmic;
+lens bloom 0.6 threshold 0.8 exposure 1.2 contrast 1.1 saturation 0.9 tint "#fff0d8" vignette 0.4 filmGrain 0.02 filmic;
 new rectangle floor 8 1 at 0 -2;
 new circle ball 0.5 at 0 2 physicsOn velocity 1 0;
 new particles trail follows ball at 0 -0.5 rate 60 towards 180 cone 30 flying 2 lasting 0.7 size 0.2 endSize 0.02
-    colour "orange" fade "#ff000000" glowing sharp stretch 0.02 varies 0.3 gravityScale 0.1 drag 1 wind 1 0
+    colour "orange" fade "#ff000000" glowing sharp stretch 0.02 varies 0.3 gravityScale 0.1 drag 1 breeze 1 0
     bouncing ending layer 2;
 new particles snow wide 8 tall 1 at 0 3 rate 30 texture "sky.png" spin 90 colour "white";
 on collide ball floor { set trail rate 5; destroy snow; }
