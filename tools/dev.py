@@ -10,6 +10,7 @@ python tools/dev.py docs       build the documentation's site into site/, with w
 python tools/dev.py release    source and wheel into dist/, and the wheel tried where there is no compiler
 python tools/dev.py sanitize   run the core's tests with AddressSanitizer and UndefinedBehaviorSanitizer; with --thread,
                                those of threads with ThreadSanitizer
+python tools/dev.py exact      compare the scenes' bits with builds without optimisation, for ARM64 and by Clang
 python tools/dev.py fuzz       let libFuzzer play with the core, for a minute or the seconds that follow; needs clang
 """
 
@@ -133,12 +134,10 @@ def fuzz(seconds: str = "60") -> None:
     if clang is None:
         print("fuzz: there is no clang++, so libFuzzer cannot play: apt-get install clang")
         return
-    run(
-        *(tool("cmake"), "-S", ".", "-B", FUZZED, "-G", "Ninja", "--log-level=WARNING"),
-        *(f"-DCMAKE_MAKE_PROGRAM={tool('ninja')}", f"-DCMAKE_CXX_COMPILER={clang}", "-DCMAKE_BUILD_TYPE=None"),
+    make_target(
+        *(FUZZED, "world_fuzzer", f"-DCMAKE_CXX_COMPILER={clang}", "-DCMAKE_BUILD_TYPE=None"),
         *("-DCMAKE_CXX_FLAGS=-O1", "-DEVIL_BINDINGS=OFF", "-DEVIL_FUZZ=ON"),
     )
-    run(tool("cmake"), "--build", FUZZED)
     corpus = FUZZED / "corpus"
     corpus.mkdir(exist_ok=True)
     sys.path.insert(0, str(ROOT / "tests" / "fuzz"))
@@ -180,6 +179,21 @@ THREADS = Watch(
     ("tests/test_threads.py", "tests/test_other_threads.py", "tests/test_mixer.py"),
     {"TSAN_OPTIONS": "halt_on_error=1:die_after_fork=0:second_deadlock_stack=1"},
 )
+
+
+def exact(*builds: str) -> None:
+    """All ways to build, or those named: -O0, ARM64, Clang."""
+    sys.path.insert(0, str(ROOT / "tools"))
+    importlib.import_module("exact").main(make_target, builds)
+
+
+def make_target(folder: Path, target: str, *options: str) -> None:
+    """Configure the core in `folder` and compile one target of it."""
+    run(
+        *(tool("cmake"), "-S", ".", "-B", folder, "-G", "Ninja", "--log-level=WARNING"),
+        *(f"-DCMAKE_MAKE_PROGRAM={tool('ninja')}", *options),
+    )
+    run(tool("cmake"), "--build", folder, "--target", target)
 
 
 def sanitize(*arguments: str) -> None:
@@ -269,6 +283,7 @@ CHORES = {
     "release": release,
     "sanitize": sanitize,
     "fuzz": fuzz,
+    "exact": exact,
 }
 
 if __name__ == "__main__":
