@@ -178,7 +178,7 @@ std::vector<std::uint32_t> find_at(World& w, nb::handle point, unsigned kinds, s
 
 std::vector<std::uint32_t> find_overlapping(World& w, const NewShape& spec, nb::handle at, double angle, unsigned kinds,
                                             std::uint32_t mask, nb::handle ignored) {
-    Vec2 p = to_vec2(at, "World.overlapping", "at");
+    Vec2 p = to_place(at, "World.overlapping", "at");
     Asked asked(kinds, mask, ignored);
     Probe probe(spec);
     probe.put(p, angle);
@@ -213,7 +213,7 @@ BodyLists* find_at_each(World& w, nb::handle owner, nb::handle points, unsigned 
 BodyLists* find_overlapping_each(World& w, nb::handle owner, const NewShape& spec, nb::handle at, nb::handle angles,
                                  unsigned kinds, std::uint32_t mask, nb::handle ignored) {
     const char* me = "World.overlapping_each";
-    auto p = to_point_or_points(at, me, "at", kFinite);
+    auto p = to_places(at, me, "at");
     auto a = to_number_or_numbers(angles, me, "angle", kFinite);
     std::size_t n = rows_of(p.rows.size(), p.one, a.rows.size(), a.one, me, "points and angles");
     Asked asked(kinds, mask, ignored);

@@ -8,8 +8,8 @@ namespace evil {
 // The box is taken from rounded corners; queries are exact. It grows by more than the rounding.
 inline Bounds safe_bounds(const Shapes& shapes, const Piece& piece, const Pose& pose) {
     Bounds b = bounds_of(shapes, piece, pose);
-    float at = 1e-6f * std::abs(pose.p.x) + 1e-6f * std::abs(pose.p.y); // no infinity, wherever somebody asks
-    float grow = at + 1e-6f * (std::abs(piece.centre.x) + std::abs(piece.centre.y) + piece.reach) + 1e-7f;
+    float size = std::abs(pose.p.x) + std::abs(pose.p.y) + std::abs(piece.centre.x) + std::abs(piece.centre.y);
+    float grow = 1e-6f * (size + piece.reach) + 1e-7f;
     return {b.low - Vec2{grow, grow}, b.high + Vec2{grow, grow}};
 }
 

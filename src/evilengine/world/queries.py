@@ -180,6 +180,8 @@ class Queries:
     ) -> tuple[Body, ...]:
         """Bodies that `shape`, placed `at` and turned by `angle`, would overlap, in creation order.
 
+        `at` must be within 1e7 metres of the origin, where the world ends.
+
         >>> world = evil.World(); box = world.add(evil.Rectangle(2, 2))
         >>> world.overlapping(evil.Circle(1), at=(1.5, 0)) == (box,)
         True
