@@ -67,7 +67,7 @@ def circle_corners(body: evil.Body, radius: float) -> Floats:
 
 
 class Lamplight(evil.Game):
-    """What the golden picture shows: a wall, a floor, crates, balls and a plank in the light of two lamps and a spot."""
+    """What the golden picture shows: a wall, a floor, crates, balls and a plank, lit by two lamps and a spot."""
 
     def __init__(self) -> None:
         super().__init__("Lamplight", size=(320, 180), headless=True, renderer="soft", gravity=(0, 0))

@@ -101,7 +101,7 @@ class Peer(ABC):
     def ray(self, start: Vec2, end: Vec2) -> bool:
         """Does the segment hit anything?"""
 
-    def close(self) -> None:
+    def close(self) -> None:  # noqa: B027  (what holds nothing has nothing to let go of)
         """Let go of what the engine holds."""
 
     @staticmethod
