@@ -148,6 +148,22 @@ def test_limits_hold_and_may_change():
     assert lowest < -1.5
 
 
+@pytest.mark.parametrize("most", [None, 100.0])
+def test_a_strong_motor_stops_at_a_limit_and_does_not_push_through_it(most: float | None) -> None:
+    world = evil.World()
+    frame = world.add(evil.Rectangle(1, 1), kind="static")
+    lift, door = world.add(evil.Rectangle(2, 0.2), at=(2, 0)), world.add(evil.Rectangle(2, 0.2), at=(-2, 0))
+    rail = evil.joints.Slider(frame, lift, axis=(0, 1), limits=(-1, 3), motor_speed=2, max_force=most)
+    pin = evil.joints.Hinge(frame, door, at=(-1, 0), limits=(-1, 1), motor_speed=2, max_torque=most)
+    world.add_joint(rail), world.add_joint(pin)
+    for way, ends in ((1, (3, 1)), (-1, (-1, -1))):
+        rail.motor_speed, pin.motor_speed = 2 * way, 2 * way
+        for _ in range(240):
+            world.step()
+        assert (rail.translation, pin.angle) == pytest.approx(ends, abs=0.003)
+        assert (rail.speed, pin.speed) == pytest.approx((0, 0), abs=1e-3)
+
+
 def test_joined_bodies_do_not_touch_unless_told_to():
     for collide, touching in ((False, 0), (True, 1)):
         world = evil.World(gravity=(0, 0))

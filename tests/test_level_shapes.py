@@ -9,6 +9,8 @@ from evilengine import level, script
 from evilengine.game import Game
 from evilengine.level import Level
 
+PLATE = "new polygon it 0 0, 4 0, 4 3, 0 3 "
+
 
 def play(text: str, steps: int = 0) -> Level:
     game = Game("level", headless=True)
@@ -40,6 +42,9 @@ def refusal(text: str) -> str:
         ("new triangle it 0 0, 2 0, 0 2 at 1 1 rounding 0.1;", evil.Triangle((0, 0), (2, 0), (0, 2), rounding=0.1)),
         ("new polygon it 0 0, 2 0, 2 2, 0 2 at 0 0 rounding 10cm;",
          evil.Polygon([(0, 0), (2, 0), (2, 2), (0, 2)], rounding=0.1)),
+        ("new polygon it 0 0, 4 0, 4 3, 0 3 hole 1 1, 2 1, 1 2 at 0 0 hole 3 1, 3.5 1, 3 2 rounding 0.1;",
+         evil.Polygon([(0, 0), (4, 0), (4, 3), (0, 3)], holes=[[(1, 1), (2, 1), (1, 2)], [(3, 1), (3.5, 1), (3, 2)]],
+                      rounding=0.1)),
     ],
 )  # fmt: skip
 def test_a_level_says_every_shape_that_the_engine_has(text: str, shape: evil.Circle) -> None:
@@ -59,6 +64,19 @@ def test_a_level_says_every_shape_that_the_engine_has(text: str, shape: evil.Cir
         ("new chain it 0 0, 1 0, 1 0, 2 0;", "[bad-shape]: this chain cannot be: points 2 and 3 are in one place "
          "| leave one of them out"),
         ("new chain it 0 0, 1 0 closed;", "[bad-shape]: a closed chain has three points or more | leave closed out"),
+        (PLATE + "hole 1 1, 9 1, 9 2 at 0 0;", "[bad-shape]: this polygon cannot be: edges 2-3 and 1-2 of hole 1 "
+         "cross or touch | give the corners in order round the outline, and holes within it and apart from each other"),
+        (PLATE + "hole 1 1, 2 1, 1 2 hole 1.2 1.1, 1.3 1.1, 1.2 1.2 at 0 0;", "[bad-shape]: this polygon cannot be: "
+         "hole 2 lies within hole 1 | what is solid there is a polygon of its own"),
+        (PLATE + "hole 1 1, 2 1 at 0 0;", "[bad-shape]: this polygon cannot be: 2 corners of hole 1 are too few "
+         "| a hole needs 3 or more"),
+        (PLATE + "hole at 0 0;", "[missing-number]: hole needs its corners "
+         "| as in: hole 0.5 0.5, 3.5 0.5, 3.5 2.5, 0.5 2.5"),
+        (PLATE + "hole 1 1 2 1, 1 2 at 0 0;", "[missing-comma]: a comma is missing between two corners "
+         "| as in: 0 0, 1 0"),
+        (PLATE + "window 1 1, 2 1, 1 2 at 0 0;", "[unknown-property]: there is no property 'window' "
+         "| did you mean 'hole'?"),
+        ("new rectangle it 1 1 hole 1 1, 2 1, 1 2;", "[wrong-property]: a rectangle has no hole | it is for polygon"),
         ("new circle it 1 rounding 0.1;", "[wrong-property]: a circle has no rounding | it is for rectangle, triangle, "
          "polygon"),
         ("draw circle 1 rounding 0.1;", "[wrong-property]: a circle has no rounding | it is for rectangle, triangle, "
@@ -105,6 +123,12 @@ def test_things_slide_along_a_chain_and_lie_on_a_segment() -> None:
                  120)  # fmt: skip
     assert built["ball"].position.x > 0
     assert built["pill"].position.y == pytest.approx(-3.8, abs=0.02)
+
+
+def test_a_thing_falls_into_the_hole_of_another() -> None:
+    text = "new polygon box -2 -2, 2 -2, 2 2, -2 2 hole -1 -1, 1 -1, 1 1, -1 1 at 0 0; new circle ball 0.3 physicsOn;"
+    built = play(text + "draw polygon 0 0, 1 0, 1 1, 0 1 hole 0.2 0.2, 0.8 0.2, 0.5 0.8 at 3 3;", 90)
+    assert built["ball"].position.y == pytest.approx(-0.7, abs=0.02)
 
 
 def test_a_number_by_chance_is_the_same_wherever_a_thing_needs_it() -> None:

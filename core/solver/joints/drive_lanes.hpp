@@ -95,9 +95,12 @@ template <bool moving> EVIL_INLINE Floats pull_spring(DriveBlock& d, Speed& v, F
     return after - before;
 }
 
-EVIL_INLINE Floats run_motor(DriveBlock& d, Speed& v, Floats mass) {
-    Floats before = load(d.motor);
-    Floats after = bounded(before - mass * (v.now - load(d.speed)), load(d.motor_most));
+// A motor wants no further than the limits: a strong one that went on would push ever harder against them.
+EVIL_INLINE Floats run_motor(DriveBlock& d, Speed& v, Floats value, Floats mass, const JointPass& pass) {
+    Floats zero = 0.0f, before = load(d.motor), inv_h = pass.inv_h;
+    Floats back = min(load(d.lower) - value, zero), ahead = max(load(d.upper) - value, zero);
+    Floats wanted = clamp(load(d.speed), inv_h * back, inv_h * ahead);
+    Floats after = bounded(before - mass * (v.now - wanted), load(d.motor_most));
     store(d.motor, after);
     v.now += v.inv_mass * (after - before);
     return after - before;
@@ -125,7 +128,7 @@ template <bool moving>
 EVIL_INLINE Floats drive(DriveBlock& d, Speed v, Floats value, Floats bend, const JointPass& pass) {
     Floats mass = load(d.mass);
     Floats impulse = pull_spring<moving>(d, v, mass, bend);
-    impulse += run_motor(d, v, mass);
+    impulse += run_motor(d, v, value, mass, pass);
     Floats opening = v.now;
     if (moving) opening += bend;
     Floats up = push_from_limit<moving>(d.to_lower, value - load(d.lower), opening, mass, pass);

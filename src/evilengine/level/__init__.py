@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from evilengine.level.level import TYPES, Level, build, load
+from evilengine.level.level import Level, build, load
+from evilengine.level.making import TYPES
 from evilengine.level.rules import Thing
 
 __all__ = ["TYPES", "Level", "Thing", "build", "load"]

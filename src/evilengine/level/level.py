@@ -17,19 +17,16 @@ from typing import TYPE_CHECKING, Any
 
 from evilengine import script
 from evilengine.level import air, characters
-from evilengine.level.rules import Answers, Consequence, Gone, Rounds, Scope, Thing
-from evilengine.script.arithmetic import ArithmeticProblem, evaluate
+from evilengine.level.making import Values
+from evilengine.level.rules import Answers, Consequence, Rounds, Scope, Thing
+from evilengine.script.arithmetic import ArithmeticProblem
 from evilengine.script.tags import Rule, Tags
 from evilengine.script.word import MAX_BODIES, MAX_ROUNDS
 from evilengine.values import level as commands
 from evilengine.values.diagnostics import level_error
 from evilengine.values.errors import ArgumentError, Error, LevelError
-from evilengine.values.level import Area, Block, Called, Corners, LevelScript, Make, Number, Pair, Tagged
-from evilengine.world import joints
+from evilengine.values.level import Block, Called, LevelScript, Number, Tagged
 from evilengine.world.body import Body
-from evilengine.world.forces import ConstantForce, Drag, Spring
-from evilengine.world.media import Medium
-from evilengine.world.shapes import Capsule, Chain, Circle, Particle, Polygon, Rectangle, Segment, Triangle
 from evilengine.world.world import World
 
 if TYPE_CHECKING:
@@ -37,12 +34,6 @@ if TYPE_CHECKING:
     from evilengine.scene import Text
     from evilengine.timer import Event
     from evilengine.values.callbacks import Callbacks
-
-_SHAPES = (Circle, Rectangle, Triangle, Polygon, Capsule, Segment, Chain, Particle)
-_FORCES = (Spring, ConstantForce, Drag, Medium)
-TYPES: dict[str, Callable[..., Any]] = {each.__name__: each for each in (*_SHAPES, *_FORCES)}
-TYPES |= {f"joints.{each.__name__}": each for each in joints.KINDS.values()}
-"""What a level can make, by the names that its commands use."""
 
 _LOOKS = frozenset({"colour", "texture", "layer", "hidden"})
 
@@ -72,7 +63,7 @@ _COUNTED = (
 )
 
 
-class Level:
+class Level(Values):
     """A level at play. `level["ball"]` is what it calls ball, and `in` asks whether that is there."""
 
     def __init__(self, level: LevelScript, target: Game | World, *, built: bool = False) -> None:
@@ -235,41 +226,6 @@ class Level:
                 self._every(command, scope, game)
             case commands.OnKey() | commands.OnShake() | commands.OnTouch():
                 self._answers.add(Consequence(self, command, scope))
-
-    # Values
-
-    def _number(self, number: Number, scope: Scope) -> float:
-        return evaluate(number, scope.numbers, self._random.uniform)
-
-    def _pair(self, pair: Pair, scope: Scope) -> tuple[float, float]:
-        x = self._number(pair.x, scope)
-        return x, self._number(pair.y, scope)
-
-    def _value(self, value: commands.Value, scope: Scope) -> Any:
-        match value:
-            case Pair():
-                return self._pair(value, scope)
-            case Called():
-                return self._thing(value, scope)
-            case Area():
-                return tuple(self._number(each, scope) for each in (value.left, value.bottom, value.right, value.top))
-            case Corners(points=points):
-                return [self._pair(point, scope) for point in points]
-            case bool() | int() | str():
-                return value
-            case _:
-                return self._number(value, scope)
-
-    def _made(self, make: Make, scope: Scope) -> Any:
-        """The engine's value that a Make stands for."""
-        arguments = [self._value(each, scope) for each in make.arguments]
-        options = {each.name: self._value(each.value, scope) for each in make.options}
-        return TYPES[make.type](*arguments, **options)
-
-    def _thing(self, called: Called, scope: Scope) -> Thing | None:
-        """What a name stands for; None when it is gone, or was never made."""
-        thing = scope.things.get(called.name)
-        return thing if thing is not None and not isinstance(thing, Gone) and thing.alive else None
 
     # Making and changing
 

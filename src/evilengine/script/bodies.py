@@ -84,7 +84,7 @@ class ThingBuilder(ShapeBuilder):
             entry = property_of(setting.word, family)
             if entry is None:
                 continue  # another kind's; the parser has said so
-            if setting.word in found:
+            if setting.word in found and entry.takes != "corners":
                 self.error("said-twice", f"{setting.word} is said twice", setting.place, "keep one of them")
             found[setting.word] = setting, entry
         return found

@@ -321,13 +321,18 @@ class Checker:
         self.error("unknown-key", f"there is no key '{cut(name)}'", text.place, hint)
         return name
 
-    def corners(self, kind: Kind, spots: tuple[Spot, ...], place: Place) -> tuple[Pair, ...]:
-        """Corners that make a shape, or the points of a path."""
-        what = "a point" if kind.open else "a corner"
-        pairs = tuple(self.pair(spot, what, Range(least=-10_000.0, most=10_000.0), "length") for spot in spots)
-        points = [(pair.x, pair.y) for pair in pairs if isinstance(pair.x, float) and isinstance(pair.y, float)]
-        if len(points) == len(pairs):
-            problem = _path_problem(points) if kind.open else _core.polygon_problem(points)
+    def points(self, spots: tuple[Spot, ...], word: str) -> tuple[Pair, ...]:
+        """Points that are each a `word` ("corner") of something."""
+        return tuple(self.pair(spot, f"a {word}", Range(least=-10_000.0, most=10_000.0), "length") for spot in spots)
+
+    def corners(
+        self, kind: Kind, spots: tuple[Spot, ...], place: Place, holes: tuple[tuple[Pair, ...], ...] = ()
+    ) -> tuple[Pair, ...]:
+        """Corners that make a shape round its holes, or the points of a path."""
+        pairs = self.points(spots, "point" if kind.open else "corner")
+        known, known_holes = fixed_points(pairs), [fixed_points(hole) for hole in holes]
+        if known is not None and None not in known_holes:
+            problem = _path_problem(known) if kind.open else _core.polygon_problem(known, known_holes)
             if problem:
                 first, last = spots[0].place, spots[-1].place
                 if first.line == last.line:
@@ -358,6 +363,12 @@ class Checker:
         return (*result, plain) if plain or not result else tuple(result)
 
 
+def fixed_points(pairs: tuple[Pair, ...]) -> list[tuple[float, float]] | None:
+    """Points that are known beforehand; None if one of them is not."""
+    known = [(pair.x, pair.y) for pair in pairs if isinstance(pair.x, float) and isinstance(pair.y, float)]
+    return known if len(known) == len(pairs) else None
+
+
 def _path_problem(points: list[tuple[float, float]]) -> str:
     """What is wrong with a path, with its points counted from 0; "" for nothing."""
     for number, (here, there) in enumerate(pairwise(points)):
@@ -373,6 +384,7 @@ def _from_one(message: str) -> str:
         word, first, last = match.groups()
         return f"{word} {int(first) + 1}" + (f"-{int(last) + 1}" if last else "")
 
+    message = re.sub(r"holes\[(\d+)\]", lambda match: f"hole {int(match.group(1)) + 1}", message)
     return re.sub(r"\b(corners?|edges?|points?|and) (\d+)(?:-(\d+))?", one_more, message)
 
 

@@ -9,6 +9,7 @@ from evilengine.values.level import (
     Called,
     Corners,
     Formula,
+    Holes,
     Make,
     Name,
     Number,
@@ -82,6 +83,8 @@ class PythonValues:
                 return f"({self.number(x)}, {self.number(y)})"
             case Corners(points):
                 return f"[{', '.join(self.value(point) for point in points)}]"
+            case Holes(rings):
+                return f"[{', '.join(self.value(ring) for ring in rings)}]"
             case Area():
                 edges = (value.left, value.bottom, value.right, value.top)
                 return f"({', '.join(self.number(edge) for edge in edges)})"

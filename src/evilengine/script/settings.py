@@ -6,7 +6,7 @@ import functools
 
 from evilengine.script.expressions import Expressions, Skip, cut, shown
 from evilengine.script.lexer import Token
-from evilengine.script.syntax import Identifier, Item, Setting, Text
+from evilengine.script.syntax import Identifier, Item, Setting, Spot, Text
 from evilengine.script.word import Property
 from evilengine.script.words import (
     KINDS,
@@ -167,6 +167,12 @@ class Settings(Expressions):
                 return (self.spot(f"{word} needs two numbers, {as_in}"),)
             case "colour":
                 return (self.colour(word),)
+            case "corners":
+                corners, said = self.spots("corner")
+                if not corners and not said:
+                    self.error("missing-number", f"{word} needs its corners", self.after_last(), as_in)
+                    raise Skip
+                return corners
             case "picture":
                 return (self.file(word, "a picture", "crate.png"),)
             case "tag":
@@ -181,6 +187,26 @@ class Settings(Expressions):
                 return (self.name_of(f"{word} needs a name or two numbers, {as_in}"),)
             case _:
                 return (self.number(f"{word} needs a number, {as_in}"),)
+
+    def spots(self, word: str) -> tuple[tuple[Spot, ...], bool]:
+        """Points with commas between them, each a `word`; and whether something was wrong with them."""
+        result: list[Spot] = []
+        said = False
+        wanted = f"each {word} is two numbers, x and y, as in: 0 0, 1 0, 0.5 1"
+        while self.at_number():
+            result.append(self.spot(wanted))
+            if self.take(","):
+                if not self.at_number():
+                    self.error(
+                        "odd-comma", f"after this comma another {word} is missing", self.last, "leave the comma out"
+                    )
+                continue
+            if self.at_number() and not said:
+                said = True
+                self.error(
+                    "missing-comma", f"a comma is missing between two {word}s", self.after_last(), "as in: 0 0, 1 0"
+                )
+        return tuple(result), said
 
     def _no_value(self, word: str) -> None:
         token = self.token

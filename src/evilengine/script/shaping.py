@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from evilengine.script.arithmetic import formula
-from evilengine.script.checker import Checker
+from evilengine.script.checker import Checker, fixed_points
 from evilengine.script.syntax import Expression, Identifier, New, Setting, Spot, Text
 from evilengine.script.word import Kind, Property, Size, plain
 from evilengine.script.words import KINDS, takes
 from evilengine.values.errors import ShapeError
-from evilengine.values.level import Corners, Formula, Let, Make, Name, Number, Option, Pair, Place
+from evilengine.values.level import Corners, Formula, Holes, Let, Make, Name, Number, Option, Pair, Place
 from evilengine.world.shapes import Polygon
 
 WALL_THICKNESS = 1.0
@@ -67,25 +67,35 @@ class ShapeBuilder(Checker):
     # Corners
 
     def _cornered(self, kind: Kind, statement: New, settings: Settings) -> Make:
-        corners = self.corners(kind, statement.corners, statement.place) if not statement.broken else ()
+        holes = self._holes(kind, statement)
+        corners = self.corners(kind, statement.corners, statement.place, holes) if not statement.broken else ()
         arguments = corners if kind.corners in ((2, 2), (3, 3)) else (Corners(corners),)
         if "closed" in settings and kind.open:
             if len(corners) == 2:
                 place = settings["closed"][0].place
                 self.error("bad-shape", "a closed chain has three points or more", place, "leave closed out")
             return Make(kind.type, arguments, (Option("loop", True),))
-        rounding = self._length(settings, "rounding")
-        if rounding is None or not takes(kind, settings["rounding"][1]):
-            return Make(kind.type, arguments)
-        self._check_rounding(corners, rounding, settings)
-        return Make(kind.type, arguments, (Option("rounding", rounding),))
+        options = (Option("holes", Holes(tuple(map(Corners, holes)))),) if holes else ()
+        rounding = self._length(settings, "rounding") if "rounding" in kind.shaped else None
+        if rounding is None:
+            return Make(kind.type, arguments, options)
+        self._check_rounding(corners, holes, rounding, settings)
+        return Make(kind.type, arguments, (*options, Option("rounding", rounding)))
 
-    def _check_rounding(self, corners: tuple[Pair, ...], rounding: Number, settings: Settings) -> None:
-        points = [(pair.x, pair.y) for pair in corners if isinstance(pair.x, float) and isinstance(pair.y, float)]
-        if self.source.diagnostics or len(points) < len(corners) or not isinstance(rounding, float):
+    def _holes(self, kind: Kind, statement: New) -> tuple[tuple[Pair, ...], ...]:
+        said = [setting.values for setting in statement.settings if setting.word == "hole"]
+        rings = [tuple(spot for spot in each if isinstance(spot, Spot)) for each in said if "hole" in kind.shaped]
+        return tuple(self.points(ring, "corner") for ring in rings)
+
+    def _check_rounding(
+        self, corners: tuple[Pair, ...], holes: tuple[tuple[Pair, ...], ...], rounding: Number, settings: Settings
+    ) -> None:
+        points, gaps = fixed_points(corners), [fixed_points(hole) for hole in holes]
+        known = [gap for gap in gaps if gap is not None]
+        if self.source.diagnostics or points is None or len(known) < len(gaps) or not isinstance(rounding, float):
             return
         try:
-            Polygon(points, rounding=rounding)
+            Polygon(points, holes=known, rounding=rounding)
         except ShapeError as error:
             message, _, hint = str(error).removeprefix("Polygon: ").partition("; ")
             self.error("out-of-range", message, settings["rounding"][0].place, hint)

@@ -188,30 +188,15 @@ class Things(Settings):
 
     def _corners(self, kind: Kind) -> tuple[Spot, ...]:
         start = self.token.start
-        result: list[Spot] = []
-        said = False
         word = "point" if kind.open else "corner"
-        wanted = f"each {word} is two numbers, x and y, as in: 0 0, 1 0, 0.5 1"
-        while self.at_number():
-            result.append(self.spot(wanted))
-            if self.take(","):
-                if not self.at_number():
-                    self.error(
-                        "odd-comma", f"after this comma another {word} is missing", self.last, "leave the comma out"
-                    )
-                continue
-            if self.at_number() and not said:
-                said = True
-                self.error(
-                    "missing-comma", f"a comma is missing between two {word}s", self.after_last(), "as in: 0 0, 1 0"
-                )
+        result, said = self.spots(word)
         fewest, most = kind.corners or (0, 0)
         if not fewest <= len(result) <= most and not said:
             where = self.span(start) if result else self.after_last()
             allowed = f"{fewest} {word}s" if fewest == most else f"{fewest} to {most} {word}s"
             found = "there is none" if not result else f"here {'is' if len(result) == 1 else 'are'} {len(result)}"
             self.error("wrong-count", f"a {kind.word} has {allowed}; {found}", where, f"as in: {kind.example}")
-        return tuple(result)
+        return result
 
     # The end of a statement
 

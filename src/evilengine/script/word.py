@@ -148,7 +148,7 @@ class Property(Word):
 
     takes: str
     """flag, whole, number, angle, length, time, mass, spin, point, direction, spot, colour, picture, tag, name, names,
-    place: what the parser reads and the checker asks of it."""
+    place, corners: what the parser reads and the checker asks of it."""
     families: tuple[str, ...]
     option: str = ""
     """The engine's keyword argument."""

@@ -27,6 +27,9 @@ from evilengine.values.level_values import (
     Formula as Formula,
 )
 from evilengine.values.level_values import (
+    Holes as Holes,
+)
+from evilengine.values.level_values import (
     Make as Make,
 )
 from evilengine.values.level_values import (

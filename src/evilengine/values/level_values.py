@@ -60,6 +60,13 @@ class Corners:
 
 
 @dataclass(frozen=True, slots=True)
+class Holes:
+    """The corners of each hole of a polygon."""
+
+    rings: tuple[Corners, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Area:
     """The edges of an upright rectangle."""
 
@@ -69,7 +76,7 @@ class Area:
     top: Number
 
 
-Value: TypeAlias = Number | Pair | Corners | Area | Called | str | bool | int
+Value: TypeAlias = Number | Pair | Corners | Holes | Area | Called | str | bool | int
 
 
 @dataclass(frozen=True, slots=True)
