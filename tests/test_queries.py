@@ -443,9 +443,7 @@ def test_nobody_is_beyond_the_world_and_no_shape_can_be_put_there(at: tuple[floa
     world = crowd(4, 30)
     assert world.bodies_at(at) == ()
     assert world.bodies_at_each([at])[0] == ()
-    for ask in (
-        lambda: world.overlapping(evil.Rectangle(1e5, 1e5), at=at),
-        lambda: world.overlapping_each(evil.Circle(1), at=[(0, 0), at]),
-    ):
-        with pytest.raises(evil.ArgumentError, match=r"within 1e(\+0)?7 metres of the origin"):
-            ask()
+    with pytest.raises(evil.ArgumentError, match=r"within 1e(\+0)?7 metres of the origin"):
+        world.overlapping(evil.Rectangle(1e5, 1e5), at=at)
+    with pytest.raises(evil.ArgumentError, match=r"within 1e(\+0)?7 metres of the origin"):
+        world.overlapping_each(evil.Circle(1), at=[(0, 0), at])
