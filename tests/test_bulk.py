@@ -317,3 +317,14 @@ def test_shapes_know_what_they_were_made_from_after_others_took_their_place(worl
     assert [shape.definition for shape in box.shapes] == [evil.Rectangle(3, 3)]
     assert [shape.definition for shape in first[1].shapes] == [evil.Circle(1), evil.Rectangle(1, 2)]
     assert len(world._definitions) == 3
+
+
+@pytest.mark.parametrize("number", [np.float32, np.float64, np.int32])
+def test_questions_take_the_numbers_of_numpy_as_well_as_pythons(number):
+    world = evil.World()
+    wall = world.add(evil.Rectangle(1, 4), at=(5, 0), kind="static")
+    for start in ((number(0), number(0)), np.zeros(2, number), np.zeros((1, 2), number)):
+        assert world.ray_casts(start, [(10, 0)])[0].body is wall
+    assert world.bodies_at_each(np.array([[5, 0], [0, 0]], number)).starts.tolist() == [0, 1, 1]
+    for angle in (number(1), np.array(1, number), np.array([1], number)):
+        assert world.overlapping_each(evil.Circle(1), [(5, 0)], angle=angle)[0] == (wall,)
