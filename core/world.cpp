@@ -39,21 +39,30 @@ Affine body_matrix(const Body& body) {
 
 namespace {
 
+// Straight into the arrays, number by number: a matrix made first and then copied would wait for its own numbers.
 void publish_row(World& world, std::uint32_t slot) {
     const Body& b = world.bodies.rows[slot];
-    bool taken = world.bodies.slots.taken(slot);
     world.present[slot] = b.pose;
     world.scales[slot] = b.scale;
     Arrays& out = *world.arrays;
-    Vec2 position = taken ? b.pose.p : Vec2{}, velocity = taken ? b.velocity : Vec2{};
-    out.positions[2 * slot] = position.x;
-    out.positions[2 * slot + 1] = position.y;
-    out.velocities[2 * slot] = velocity.x;
-    out.velocities[2 * slot + 1] = velocity.y;
+    bool taken = world.bodies.slots.taken(slot);
+    Pose pose = taken ? b.pose : Pose{};
+    Vec2 scale = taken ? b.scale : Vec2{1, 1}, velocity = taken ? b.velocity : Vec2{};
+    float* position = &out.positions[2 * slot];
+    position[0] = pose.p.x;
+    position[1] = pose.p.y;
+    float* speed = &out.velocities[2 * slot];
+    speed[0] = velocity.x;
+    speed[1] = velocity.y;
     out.angles[slot] = taken ? static_cast<float>(b.angle) : 0.0f;
-    Affine m = taken ? body_matrix(b) : Affine{};
-    float matrix[16] = {m.a, m.b, 0, 0, m.c, m.d, 0, 0, 0, 0, 1, 0, m.tx, m.ty, 0, 1};
-    std::copy(matrix, matrix + 16, out.matrices.begin() + 16 * static_cast<std::ptrdiff_t>(slot));
+    float* m = &out.matrices[16 * std::size_t{slot}]; // the zeros of all of them lie there already
+    m[0] = scale.x * pose.q.c;
+    m[1] = scale.x * pose.q.s;
+    m[4] = 0.0f - scale.y * pose.q.s; // not -0
+    m[5] = scale.y * pose.q.c;
+    m[10] = m[15] = 1.0f;
+    m[12] = pose.p.x;
+    m[13] = pose.p.y;
 }
 
 } // namespace

@@ -49,6 +49,13 @@ constexpr double kExp[] = {
 // 2^n for n in -1022..1023, from the bits of its exponent.
 double two_to(int n) { return std::bit_cast<double>(static_cast<std::uint64_t>(n + 1023) << 52); }
 
+// floor(x + 1/2) for |x| < 2^30.
+int nearest(double x) {
+    double up = x + 0.5;
+    int toward_zero = static_cast<int>(up);
+    return toward_zero - (toward_zero > up ? 1 : 0);
+}
+
 // atan t for 0 <= t <= 1.
 double atan_of_ratio(double t) {
     int k = static_cast<int>(8.0 * t + 0.5);
@@ -64,10 +71,11 @@ SinCos sincos(double angle) noexcept {
         if (!std::isfinite(angle)) return {0.0f, 1.0f};
         angle = std::fmod(angle, 2.0 * kPi);
     }
-    double quarters = std::floor(angle * (2.0 / kPi) + 0.5);
+    int quarter = nearest(angle * (2.0 / kPi)); // std::floor would be a call on machines of before 2008
+    double quarters = quarter;
     double r = ((angle - quarters * kHalfPi[0]) - quarters * kHalfPi[1]) - quarters * kHalfPi[2];
     float sine = static_cast<float>(r * sum(kSine, r * r)), cosine = static_cast<float>(sum(kCosine, r * r));
-    switch (static_cast<int>(quarters) & 3) {
+    switch (quarter & 3) {
     case 0:
         return {sine, cosine};
     case 1:

@@ -8,6 +8,7 @@ namespace {
 
 constexpr float kPushSpeed = 3.0f;    // m/s: the fastest that overlap is pushed out; more, and piles burst apart
 constexpr float kMostImpulse = 1e30f; // newton seconds: finite, whatever came in
+constexpr float kStill = 5e-4f; // metres in a step; more, and what slides would be turned by arms of the last substep
 constexpr float kQuarterTurn = 1.5707964f;
 
 struct Row {
@@ -65,6 +66,13 @@ EVIL_INLINE Frame frame_of(const ContactBlock& k, const Ends& e) {
             select(discs, apart_t, f.apart_t),
             f.lag_n,
             f.lag_t};
+}
+
+// Do two that push each other stand elsewhere to each other than when the step began?
+EVIL_INLINE Mask slides(const ContactBlock& k, const Ends& e) {
+    Mask pushes = (load(k.normal_impulse[0]) > Floats(0.0f)) | (load(k.normal_impulse[1]) > Floats(0.0f));
+    Floats x = abs(e.b.moved_x - e.a.moved_x), y = abs(e.b.moved_y - e.a.moved_y);
+    return pushes & (max(x, y) > Floats(kStill));
 }
 
 struct Arms {
@@ -189,7 +197,8 @@ template <bool wall, int n> EVIL_INLINE void finish(Several<n>& s, SolverBody* b
 
 // Both passes need friction: without it in the first, what overlaps deepest squeezes its neighbours out sideways.
 template <bool soften, bool wall, int n>
-EVIL_INLINE void solve_blocks(SolverBody* bodies, ContactBlock* k, Floats inv_h, const ContactSoftness& soft) {
+EVIL_INLINE void solve_blocks(SolverBody* bodies, ContactBlock* k, Floats inv_h, const ContactSoftness& soft,
+                              Mask& slid) {
     Several<n> s;
     begin(s, bodies, k);
     for (int i = 0; i < n; ++i) {
@@ -213,6 +222,7 @@ EVIL_INLINE void solve_blocks(SolverBody* bodies, ContactBlock* k, Floats inv_h,
         add_up(k[i], 1);
     }
     finish<wall>(s, bodies, k);
+    for (int i = 0; i < n && !soften && !wall; ++i) slid = slid | slides(k[i], s.ends[i]);
 }
 
 template <bool wall, int n> EVIL_INLINE void warm_blocks(SolverBody* bodies, ContactBlock* k) {
@@ -249,17 +259,22 @@ void warm_start_walls(SolverBody* bodies, ContactBlock* blocks, std::size_t coun
 }
 void push_apart(SolverBody* bodies, ContactBlock* blocks, std::size_t count, float inv_h,
                 ContactSoftness soft) noexcept {
-    by_twos(count, [&]<int n>(std::size_t i) { solve_blocks<true, false, n>(bodies, blocks + i, inv_h, soft); });
+    Mask none = first_lanes(0);
+    by_twos(count, [&]<int n>(std::size_t i) { solve_blocks<true, false, n>(bodies, blocks + i, inv_h, soft, none); });
 }
 void push_apart_walls(SolverBody* bodies, ContactBlock* blocks, std::size_t count, float inv_h,
                       ContactSoftness soft) noexcept {
-    by_twos(count, [&]<int n>(std::size_t i) { solve_blocks<true, true, n>(bodies, blocks + i, inv_h, soft); });
+    Mask none = first_lanes(0);
+    by_twos(count, [&]<int n>(std::size_t i) { solve_blocks<true, true, n>(bodies, blocks + i, inv_h, soft, none); });
 }
-void relax(SolverBody* bodies, ContactBlock* blocks, std::size_t count, float inv_h) noexcept {
-    by_twos(count, [&]<int n>(std::size_t i) { solve_blocks<false, false, n>(bodies, blocks + i, inv_h, {}); });
+bool relax(SolverBody* bodies, ContactBlock* blocks, std::size_t count, float inv_h) noexcept {
+    Mask slid = first_lanes(0);
+    by_twos(count, [&]<int n>(std::size_t i) { solve_blocks<false, false, n>(bodies, blocks + i, inv_h, {}, slid); });
+    return any(slid);
 }
 void relax_walls(SolverBody* bodies, ContactBlock* blocks, std::size_t count, float inv_h) noexcept {
-    by_twos(count, [&]<int n>(std::size_t i) { solve_blocks<false, true, n>(bodies, blocks + i, inv_h, {}); });
+    Mask none = first_lanes(0);
+    by_twos(count, [&]<int n>(std::size_t i) { solve_blocks<false, true, n>(bodies, blocks + i, inv_h, {}, none); });
 }
 
 } // namespace evil::EVIL_ISA

@@ -6,7 +6,9 @@
 // Each comes in two forms: between two bodies, and at `walls`, where a is not changed by contacts and not written.
 namespace evil {
 struct Contact;
-EVIL_WIDE(void push_bodies(SolverBody* bodies, const ForceStep* force_steps, std::size_t count) noexcept;
+// `push_bodies` warms them up by what contacts did to each in the substep before, if `warm`. `relax` tells whether any two
+// of them slide on each other, so that the next substep has to warm them up contact by contact.
+EVIL_WIDE(void push_bodies(SolverBody* bodies, ForceStep* force_steps, std::size_t count, bool warm) noexcept;
           void move_bodies(SolverBody* bodies, std::size_t count, float h) noexcept;
           void fill_blocks(const SolverBody* bodies, const Contact* contacts, ContactBlock* blocks,
                            BlockSource* sources, std::size_t count) noexcept;
@@ -18,6 +20,6 @@ EVIL_WIDE(void push_bodies(SolverBody* bodies, const ForceStep* force_steps, std
                           ContactSoftness soft) noexcept;
           void push_apart_walls(SolverBody* bodies, ContactBlock* blocks, std::size_t count, float inv_h,
                                 ContactSoftness soft) noexcept;
-          void relax(SolverBody* bodies, ContactBlock* blocks, std::size_t count, float inv_h) noexcept;
+          bool relax(SolverBody* bodies, ContactBlock* blocks, std::size_t count, float inv_h) noexcept;
           void relax_walls(SolverBody* bodies, ContactBlock* blocks, std::size_t count, float inv_h) noexcept;)
 } // namespace evil

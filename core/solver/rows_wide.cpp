@@ -116,11 +116,14 @@ EVIL_INLINE void store_point(const ContactBlock& k, const BlockSource& from, int
 
 } // namespace
 
-void push_bodies(SolverBody* bodies, const ForceStep* force_steps, std::size_t count) noexcept {
-    Floats most = load(kMost);
+void push_bodies(SolverBody* bodies, ForceStep* force_steps, std::size_t count, bool warm) noexcept {
+    Floats most = load(kMost), zero = 0.0f;
+    Mask speeds = warm ? first_lanes(3) : first_lanes(0);
     for (std::size_t i = 0; i < count; ++i) {
-        Floats row = load(&bodies[i].vx) * load(force_steps[i].keep) + load(force_steps[i].gain); // (4.2), (4.5)
-        store(&bodies[i].vx, within(row, most));
+        Floats row = load(&bodies[i].vx), by_contacts = select(speeds, row - load(force_steps[i].pushed), zero);
+        Floats pushed = within(row * load(force_steps[i].keep) + load(force_steps[i].gain), most); // (4.2), (4.5)
+        store(force_steps[i].pushed, pushed);
+        store(&bodies[i].vx, within(pushed + by_contacts, most));
     }
 }
 

@@ -15,11 +15,6 @@
 
 namespace evil {
 
-struct Start { // of a body's step
-    Vec2 centre;
-    double angle;
-};
-
 struct Bounce { // a contact with restitution
     std::uint32_t edge;
     float restitution;
@@ -29,9 +24,8 @@ struct Bounce { // a contact with restitution
 struct Solver { // Scratch
     std::vector<SolverBody> bodies;
     std::vector<ForceStep> force_steps;    // of each solver body
-    std::vector<Start> starts;             // of each solver body
     std::vector<std::uint32_t> body_slots; // of each solver body; [0] unused
-    std::vector<Path> paths;               // of each solver body, for the walls
+    std::vector<Path> paths;               // of each solver body but [0], which stands still
     std::vector<std::uint32_t> number_of;  // by body slot
     std::vector<Edge> edges, last_edges;   // of each contact that is solved
     std::vector<Bounce> bounces;           // of those with restitution
