@@ -77,15 +77,15 @@ def test_a_chain_swings_without_gaining_energy():
     assert most - start < 0.005 * fallen
 
 
-def test_a_chain_between_two_walls_hangs_or_is_taut_without_a_fit():
+def test_a_chain_between_two_walls_is_taut():
     world = evil.World()
     joints = chain(world, 20)
     wall = world.add(evil.Circle(0.1), at=(LINK * 20, 0), kind="static")
     joints.append(world.add_joint(evil.joints.Hinge(joints[-1].b, wall, at=(LINK * 20, 0))))
     for _ in range(300):
         world.step(STEP)
-    assert gaps(joints) < 0.02 * LINK * 20  # there is no slack: it can only sag by opening its joints
-    assert max(body.velocity.length for body in world.bodies) < 0.5
+    assert gaps(joints) < 1e-3 * LINK * 20  # there is no slack: it could only sag by opening its joints
+    assert min(body.position.y for body in world.bodies) > -0.03
 
 
 def test_a_chain_that_flies_free_keeps_its_momentum_and_spin():

@@ -181,10 +181,16 @@ void fill_blocks(Solver& solver, const Bodies& bodies, const Joints& joints, std
     }
 }
 
+// A stiff point and nothing else: what turns by a motor, to a limit or softly is solved one joint after the other.
+bool plain(const Joint& j) { return j.along.held && !(j.along.spring_most < kNoLimit) && !driven(j.turn); }
+
+enum InRow : std::uint32_t { free_to_link, linked, too_short, unfit }; // of a joint at a point, for chains
+
 // Which joints are solved, and where.
 void sort_joints(Solver& solver, const Bodies& bodies, const Joints& joints) {
     JointSolver& js = solver.joints;
     js.at_points.clear();
+    js.in_row.clear();
     js.at_axes.clear();
     js.alone.clear();
     for (std::uint32_t slot = 0; slot < joints.slots.size(); ++slot) {
@@ -192,12 +198,14 @@ void sort_joints(Solver& solver, const Bodies& bodies, const Joints& joints) {
         const Joint& j = joints.rows[slot];
         std::uint32_t a = solver.number_of[j.body_a], b = solver.number_of[j.body_b];
         if (!(solver.bodies[a].inv_mass > 0.0f || solver.bodies[b].inv_mass > 0.0f)) continue;
-        if (j.kind == JointKind::gear || j.kind == JointKind::pulley)
+        if (j.kind == JointKind::gear || j.kind == JointKind::pulley) {
             js.alone.push_back(lone_joint(j, slot, a, b, bodies));
-        else if (is_axial(j.kind) || j.kind == JointKind::distance || j.kind == JointKind::rope)
+        } else if (is_axial(j.kind) || j.kind == JointKind::distance || j.kind == JointKind::rope) {
             js.at_axes.push_back({slot, a, b, {}});
-        else
+        } else {
             js.at_points.push_back({slot, a, b, {}});
+            js.in_row.push_back(plain(j) ? free_to_link : unfit);
+        }
     }
 }
 
@@ -206,15 +214,12 @@ void sort_joints(Solver& solver, const Bodies& bodies, const Joints& joints) {
 constexpr std::size_t kLeastChain = 3; // links; two are as quick one after the other
 constexpr std::uint32_t kCrowd = kNone - 1;
 
-// A stiff point and nothing else: what turns by a motor, to a limit or softly is solved one joint after the other.
-bool plain(const Joint& j) { return j.along.held && !(j.along.spring_most < kNoLimit) && !driven(j.turn); }
-
 // By solver body, the two joints of `at_points` that it links; kCrowd first where there are more, kNone second where fewer.
-void find_ends(Solver& solver, const Joints& joints) {
+void find_ends(Solver& solver) {
     JointSolver& js = solver.joints;
     js.ends.assign(2 * solver.bodies.size(), kNone);
     for (std::uint32_t n = 0; n < js.at_points.size(); ++n) {
-        if (!plain(joints.rows[js.at_points[n].joint])) continue;
+        if (js.in_row[n] == unfit) continue;
         for (std::uint32_t body : {js.at_points[n].a, js.at_points[n].b}) {
             std::uint32_t* end = &js.ends[2 * std::size_t{body}];
             if (!(solver.bodies[body].inv_mass > 0.0f) || end[0] == kCrowd) continue;
@@ -231,7 +236,7 @@ void find_ends(Solver& solver, const Joints& joints) {
 std::uint32_t beyond(const JointSolver& js, std::uint32_t n, std::uint32_t body) { // the joint at the body's other end
     const std::uint32_t* end = &js.ends[2 * std::size_t{body}];
     if (end[0] == kCrowd || end[1] == kNone) return kNone;
-    return end[0] == n ? end[1] : end[0] == kNone ? kNone : end[0];
+    return end[0] == n ? end[1] : end[0];
 }
 
 void add_link(JointSolver& js, std::uint32_t number, bool begins, bool shares_a, const Bodies& bodies,
@@ -258,14 +263,14 @@ void follow(JointSolver& js, std::uint32_t first, const Bodies& bodies, const Jo
     bool from_a = beyond(js, first, js.at_points[first].a) == kNone; // the open end
     for (std::uint32_t n = first; n != kNone;) {
         const SolvedJoint& s = js.at_points[n];
-        js.in_row[n] = 1;
+        js.in_row[n] = linked;
         add_link(js, n, n == first, from_a, bodies, joints);
         std::uint32_t body = from_a ? s.b : s.a;
         n = beyond(js, n, body);
         if (n != kNone) from_a = js.at_points[n].a == body;
     }
     if (js.links.size() - before >= kLeastChain) return;
-    for (std::size_t i = before; i < js.links.size(); ++i) js.in_row[js.links[i].number] = 2;
+    for (std::size_t i = before; i < js.links.size(); ++i) js.in_row[js.links[i].number] = too_short;
     js.links.resize(before);
 }
 
@@ -274,16 +279,16 @@ void find_chains(Solver& solver, const Bodies& bodies, const Joints& joints) {
     JointSolver& js = solver.joints;
     js.links.clear();
     if (js.at_points.size() < kLeastChain) return;
-    find_ends(solver, joints);
-    js.in_row.assign(js.at_points.size(), 0);
+    find_ends(solver);
     for (std::uint32_t n = 0; n < js.at_points.size(); ++n) {
         const SolvedJoint& s = js.at_points[n];
-        if (js.in_row[n] != 0 || !plain(joints.rows[s.joint])) continue;
-        if (beyond(js, n, s.a) == kNone || beyond(js, n, s.b) == kNone) follow(js, n, bodies, joints);
+        if (js.in_row[n] != free_to_link) continue;
+        bool first = (beyond(js, n, s.a) == kNone) != (beyond(js, n, s.b) == kNone);
+        if (first) follow(js, n, bodies, joints);
     }
     std::size_t kept = 0;
     for (std::size_t n = 0; n < js.at_points.size(); ++n)
-        if (js.in_row[n] != 1) js.at_points[kept++] = js.at_points[n];
+        if (js.in_row[n] != linked) js.at_points[kept++] = js.at_points[n];
     js.at_points.resize(kept);
 }
 
