@@ -74,6 +74,27 @@ def test_the_arrow_keys_go_round_all_scenes(hand: Hand, monkeypatch: pytest.Monk
     assert hand.present == seen[-2]
 
 
+def test_number_keys_turn_parts_of_the_debug_view_on_and_off_and_a_list_says_which(hand: Hand) -> None:
+    assert hand.bed.menu.parts == ()
+    hand.press("5")
+    hand.wait(1)
+    assert hand.game.debug
+    assert "bounds" in hand.game.debug_view.shown
+    assert ("bounds", True) in hand.bed.menu.parts
+    assert ("islands", False) in hand.bed.menu.parts
+    with_bounds = hand.game.capture()
+    hand.press("p")
+    hand.press("5")
+    hand.press("1")
+    hand.wait(1)
+    assert ("bounds", False) in hand.bed.menu.parts
+    assert hand.game.debug_view.shown == ("contacts", "joints", "centres")
+    assert with_bounds != hand.game.capture()
+    hand.press("d")
+    hand.wait(1)
+    assert hand.bed.menu.parts == ()
+
+
 def test_it_pauses_goes_one_step_and_starts_again(hand: Hand) -> None:
     hand.wait(5)
     hand.press("p")

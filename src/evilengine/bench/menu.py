@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 WIDTH, MARGIN, ROW = 210.0, 14.0, 21.0  # logical points, as all lengths here
 TITLE_SIZE, SIZE, SMALL = 19.0, 14.0, 12.0
+PARTS_WIDTH = 116.0
 TOP = 52.0
 """Where the first scene's row begins."""
 
@@ -33,6 +34,8 @@ class Menu:
         self.pointer = Vec2(-1.0, -1.0)
         self.readings: Sequence[tuple[str, str]] = ()
         self.keys: Sequence[tuple[str, str]] = ()
+        self.parts: Sequence[tuple[str, bool]] = ()
+        """What of the debug view is on, by the number keys that turn it on and off; none while it is off."""
 
     def name_at(self, point: Vec2) -> str | None:
         """The name under a point of the screen, in logical points.
@@ -73,6 +76,17 @@ class Menu:
             page.text(key, MARGIN, y, SMALL, PLAIN)
             page.text(meaning, MARGIN + 74.0, y, SMALL, DIM)
             y += 17.0
+        self._draw_parts(page, screen[0] / scale)
+
+    def _draw_parts(self, page: _Page, right: float) -> None:
+        """At the right, below the dial of gravity."""
+        top, left = 92.0, right - PARTS_WIDTH
+        if self.parts:
+            page.box(left, top - 8.0, right, top + 17.0 * len(self.parts) + 6.0, VEIL)
+        for number, (part, on) in enumerate(self.parts, start=1):
+            page.text(str(number), left + MARGIN, top, SMALL, BRIGHT if on else DIM)
+            page.text(part, left + MARGIN + 18.0, top, SMALL, BRIGHT if on else DIM)
+            top += 17.0
 
 
 class _Page:

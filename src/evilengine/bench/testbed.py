@@ -10,6 +10,7 @@ from evilengine.bench.menu import WIDTH, Menu
 from evilengine.bench.scene import SCENES, Scene, find
 from evilengine.game import Game
 from evilengine.scene import DrawnBody
+from evilengine.scene.debug import PARTS
 from evilengine.values.events import Event, KeyEvent, PointerEvent, WheelEvent
 from evilengine.values.image import Image
 from evilengine.world.body import Body
@@ -24,7 +25,7 @@ KEYS = (
     ("R", "start again"),
     ("P, space", "pause"),
     ("full stop", "one step"),
-    ("D, F1", "debug view"),
+    ("D, F1, 1-8", "debug view, its parts"),
     ("G, F4", "graph of timings"),
     ("S", "let bodies sleep"),
     ("wheel", "zoom"),
@@ -35,6 +36,8 @@ ACTIONS = {
     "space": "pause", "period": "step", "d": "debug", "f1": "debug", "g": "graph", "f4": "graph", "s": "sleep",
     "escape": "quit",
 }  # fmt: skip
+SWITCHES = {str(number): part for number, part in enumerate(PARTS, start=1)}
+"""Which key turns which part of the debug view on and off."""
 LARGEST = 4.0
 """Times its benchmark's size that a scene may grow to by hand."""
 AIR = 1.06
@@ -87,6 +90,8 @@ class Testbed:
             ("step", f"{self.game.timings.last.steps:.2f} ms"),
             ("time", f"{world.time:.1f} s" + (", paused" if self.game.paused else "")),
         )
+        shown = self.game.debug_view.shown if self.game.debug else None
+        self.menu.parts = [(part, part in shown) for part in PARTS] if shown is not None else ()
         self.game.frame(now)
 
     def frames(self, count: int, fps: float) -> Iterator[Image]:
@@ -143,6 +148,14 @@ class Testbed:
                 self.game.camera.zoom = min(max(zoom, 0.2), 20.0)
             case KeyEvent(down=True) if event.key in ACTIONS:
                 self._do(ACTIONS[event.key])
+            case KeyEvent(down=True) if event.key in SWITCHES:
+                self._switch(SWITCHES[event.key])
+
+    def _switch(self, part: str) -> None:
+        """Show or hide a part of the debug view; whoever asks for one wants to see it."""
+        view = self.game.debug_view
+        setattr(view, part, not (self.game.debug and getattr(view, part)))
+        self.game.debug = True
 
     def _do(self, action: str) -> None:
         game = self.game
