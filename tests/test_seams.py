@@ -131,6 +131,27 @@ def test_a_box_goes_over_the_edge_of_tiles_as_over_the_edge_of_a_plank() -> None
         assert one == pytest.approx(other, abs=0.05)
 
 
+@pytest.mark.parametrize("bend", [0.02, 0.1, 0.3, 0.6])
+@pytest.mark.parametrize(("slider", "height"), SLIDERS, ids=lambda value: repr(value))
+def test_tiles_bend_uphill_as_a_chain_does(slider: ShapeDefinition, height: float, bend: float) -> None:
+    def speed_after(tiles: bool) -> float:
+        world = evil.World()
+        uphill = (math.cos(bend), math.sin(bend))
+        if tiles:
+            tops = [((x, 0.0), (x + 1.0, 0.0)) for x in range(-4, 0)]
+            tops += [((x * uphill[0], x * uphill[1]), ((x + 1) * uphill[0], (x + 1) * uphill[1])) for x in range(6)]
+            for (ax, ay), (bx, by) in tops:
+                world.add(evil.Polygon([(ax, ay), (ax, ay - 1), (bx, by - 1), (bx, by)]), kind="static")
+        else:
+            world.add(evil.Chain([(-4, 0), (0, 0), (6 * uphill[0], 6 * uphill[1])]), kind="static")
+        body = world.add(slider, at=(-2, height), velocity=(6, 0), friction=0)
+        for _ in range(40):
+            world.step(1 / 60)
+        return body.velocity.length
+
+    assert speed_after(True) == pytest.approx(speed_after(False), rel=0.02)
+
+
 @pytest.mark.parametrize("corner", ["floor and wall", "valley", "chain valley"])
 def test_a_real_corner_holds_what_is_pushed_into_it(corner: str) -> None:
     world = evil.World()
