@@ -77,7 +77,7 @@ def to_edge(a: Points, b: Points, point: Points) -> float:
 
 
 def separation(p: Part, q: Part) -> float:
-    """Of two convex parts: how far apart their skins are, or less than 0 by how far one must move to leave the other."""
+    """Of two convex parts: how far apart their skins are; less than 0 by how far one must move to leave the other."""
     along = -math.inf
     for core, other in ((p[0], q[0]), (q[0], p[0])):
         for a, b in edges_of(core) if len(core) > 1 else []:
@@ -132,7 +132,7 @@ def test_contacts_are_the_same_from_both_sides(
     first: ShapeDefinition, second: ShapeDefinition, place: tuple[float, ...]
 ) -> None:
     x, y, angle, other = place
-    assume(not (isinstance(first, LINES) and isinstance(second, LINES)))  # which way out of each other is anyone's guess
+    assume(not (isinstance(first, LINES) and isinstance(second, LINES)))  # which way out is anyone's guess
     there = contacts_of(first, second, place)
     world = evil.World(gravity=(0, 0))
     world.add(second, at=(x, y), angle=other)

@@ -1,4 +1,4 @@
-"""Random machines of every kind of joint: they stay in the numbers, keep their momentum, and are restored to the bit."""
+"""Random machines of every kind of joint: they stay in the numbers, keep momentum, and are restored to the bit."""
 
 from __future__ import annotations
 

@@ -63,6 +63,9 @@ SLIDERS: list[tuple[ShapeDefinition, float]] = [
 ]
 
 
+ROUND = [(slider, height) for slider, height in SLIDERS if isinstance(slider, evil.Circle | evil.Capsule)]
+
+
 @pytest.mark.parametrize("speed", [2, 9, 40])
 @pytest.mark.parametrize(("slider", "height"), SLIDERS, ids=lambda value: repr(value))
 @pytest.mark.parametrize("floor", FLOORS)
@@ -132,8 +135,10 @@ def test_a_box_goes_over_the_edge_of_tiles_as_over_the_edge_of_a_plank() -> None
 
 
 @pytest.mark.parametrize("bend", [0.02, 0.1, 0.3, 0.6])
-@pytest.mark.parametrize(("slider", "height"), SLIDERS, ids=lambda value: repr(value))
-def test_tiles_bend_uphill_as_a_chain_does(slider: ShapeDefinition, height: float, bend: float) -> None:
+@pytest.mark.parametrize(("slider", "height"), ROUND, ids=lambda value: repr(value))
+def test_round_things_go_over_tiles_that_bend_uphill_as_over_a_chain(
+    slider: ShapeDefinition, height: float, bend: float
+) -> None:
     def speed_after(tiles: bool) -> float:
         world = evil.World()
         uphill = (math.cos(bend), math.sin(bend))
@@ -150,6 +155,20 @@ def test_tiles_bend_uphill_as_a_chain_does(slider: ShapeDefinition, height: floa
         return body.velocity.length
 
     assert speed_after(True) == pytest.approx(speed_after(False), rel=0.02)
+
+
+@pytest.mark.parametrize("degrees", [46, 60, 80, 89, 90, 100])
+@pytest.mark.parametrize(("slider", "height"), [*SLIDERS, (evil.Polygon([(-0.6, 0), (0.6, 0), (-0.6, 0.5)]), 0.0)])
+def test_a_wall_that_goes_on_under_the_floor_still_stops(slider: ShapeDefinition, height: float, degrees: int) -> None:
+    world = evil.World()
+    top = (6 * math.cos(math.radians(degrees)), 6 * math.sin(math.radians(degrees)))
+    world.add(evil.Polygon([(-9, 0), (-9, -1), (0, -1), (0, 0)]), kind="static")
+    world.add(evil.Polygon([(0, 0), (0, -1), (7, -1), (7, top[1]), top]), kind="static")
+    body = world.add(slider, at=(-2, height), velocity=(5, 0), friction=0.3)
+    for _ in range(120):
+        body.apply_force((20 * body.mass, 0))
+        world.step(1 / 60)
+        assert max((contact.depth for contact in world.contacts.active), default=0.0) < 0.02
 
 
 @pytest.mark.parametrize("corner", ["floor and wall", "valley", "chain valley"])

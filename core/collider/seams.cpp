@@ -94,35 +94,11 @@ bool is_face(const Shapes& shapes, const Piece& piece, const Pose& pose, Vec2 no
     return std::ranges::any_of(normals_of(shapes, piece), [&](Vec2 face) { return dot(face, n) > kFace; });
 }
 
-// Does something round touch a corner? It is nowhere deeper in the piece than there.
+// Does something round touch a corner? It is nowhere deeper in the piece than there. Where tiles bend uphill, the next one's
+// top begins at such a corner, and what rolls toward it must not feel it sooner than the top.
 bool rounds_corner(const Shapes& shapes, const Touching& t) {
     return t.mover->radius > 0.0f && t.still->radius == 0.0f && !is_face(shapes, *t.still, t.pose, t.normal) &&
            !is_face(shapes, *t.mover, t.mover_pose, -t.normal);
-}
-
-// How far what pushes rises over the other's face: a corner, or the edges that look the way of the contact, if there are any. Where tiles
-// bend uphill, that is the side of a tile, which the tile before it covers, and not its top, which begins there.
-//
-//                    /
-//      ____________/         The side of the right tile ends at the face of the left one: what it pushes is a ghost.
-//      left tile  | right    At a wall, the side goes on over the face. Tops steeper than kWall count as walls.
-//                 |  tile
-float rise(const Shapes& shapes, const Touching& ghost, Vec2 face) {
-    if (rounds_corner(shapes, ghost)) return 0.0f;
-    constexpr float kWall = 0.7f; // cosine between edge and contact: 45 degrees, where tops push harder than sides
-    Vec2 p = untransform(ghost.pose, ghost.point), n = unrotate(ghost.pose.q, ghost.normal);
-    Vec2 up = unrotate(ghost.pose.q, face);
-    std::span<const Vec2> corners = points_of(shapes, *ghost.still), normals = normals_of(shapes, *ghost.still);
-    bool any = false;
-    float most = 0.0f;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        if (dot(normals[i], n) < kWall) continue;
-        Vec2 next = corners[i + 1 < corners.size() ? i + 1 : 0];
-        float height = std::max(dot(up, corners[i] - p), dot(up, next - p)) + ghost.still->radius;
-        most = any ? std::max(most, height) : height;
-        any = true;
-    }
-    return any ? most : in_front(shapes, ghost, ghost.point, face);
 }
 
 bool gives_way(const Shapes& shapes, const Touching& ghost, const Touching& other, float size) {
@@ -130,7 +106,8 @@ bool gives_way(const Shapes& shapes, const Touching& ghost, const Touching& othe
     if (!within(shapes, other, ghost.point, std::min(kOnSeam, size) + other.depth)) return false;
     if (in_front(shapes, other, ghost.point, ghost.normal) <= flush) return false;
     Vec2 face = facing(shapes, other);
-    return rise(shapes, ghost, face) <= in_front(shapes, other, ghost.point, face) + flush;
+    float height = rounds_corner(shapes, ghost) ? 0.0f : in_front(shapes, ghost, ghost.point, face);
+    return height <= in_front(shapes, other, ghost.point, face) + flush;
 }
 
 void add_side(Seams& seams, std::uint32_t row, std::uint32_t mover, const Body& other, std::uint32_t body,
