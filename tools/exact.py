@@ -74,7 +74,8 @@ def compare(build: Build, program: Path, folder: Path, sums: dict[str, str]) -> 
     sets = sorted({kind for _, kind, _ in rows})
     for scene, kind in wrong:
         print(f"exact: {build.name}: {scene} comes out otherwise with {kind}")
-    print(f"exact: {build.name}: {len(rows) - len(wrong)} of {len(sums)} scenes x {', '.join(sets)} are the same bits")
+    same = f"{len(rows) - len(wrong)} of {len(rows)} sums are the same bits"
+    print(f"exact: {build.name}: {same} ({len(sums)} scenes on {', '.join(sets)})")
     return len(wrong) + (len(rows) != len(sums) * len(sets) or not rows)
 
 
