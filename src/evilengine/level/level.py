@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from evilengine import script
 from evilengine.level import air, characters
+from evilengine.level.looks import LOOKS, drawn, move_camera
 from evilengine.level.making import Values
 from evilengine.level.rules import Answers, Consequence, Rounds, Scope, Thing
 from evilengine.script.arithmetic import ArithmeticProblem
@@ -34,8 +35,6 @@ if TYPE_CHECKING:
     from evilengine.scene import Text
     from evilengine.timer import Event
     from evilengine.values.callbacks import Callbacks
-
-_LOOKS = frozenset({"colour", "texture", "layer", "hidden"})
 
 
 def load(game: Game, path: str | Path) -> Level:
@@ -214,6 +213,8 @@ class Level(Values):
                 self._go(file, game)
             case commands.SetPace(pace=pace):
                 game.speed = self._number(pace, scope)
+            case commands.Quake() | commands.Follow():
+                move_camera(self, command, scope, game)
             case commands.AddDrawing():
                 self._add_drawing(command, scope, game)
             case commands.AddText():
@@ -294,12 +295,8 @@ class Level(Values):
         """Options for a game, which asks what is visible rather than what is hidden; a world alone has no looks."""
         values = {each.name: self._value(each.value, scope) for each in options}
         if self.game is None:
-            return {name: value for name, value in values.items() if name not in _LOOKS}
-        if values.pop("hidden", False):
-            values["visible"] = False
-        if "texture" in values:
-            values["texture"] = self._beside(values["texture"])
-        return values
+            return {name: value for name, value in values.items() if name not in LOOKS}
+        return drawn(values, self._beside)
 
     def _beside(self, name: str) -> str:
         """A file that lies beside the level, by the name that the game finds it by in its own folder."""

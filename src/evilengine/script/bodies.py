@@ -9,7 +9,7 @@ from evilengine.script.names import DRAWING, SOMETHING, Made, family_made
 from evilengine.script.settings import example_of
 from evilengine.script.shaping import Settings, ShapeBuilder
 from evilengine.script.syntax import Expression, Identifier, New, Setting, Spot, Text
-from evilengine.script.word import PLACE, Property
+from evilengine.script.word import MOST_COLUMNS, PLACE, Property, Range
 from evilengine.script.words import KINDS, property_of
 from evilengine.values import level as values
 from evilengine.values.level import (
@@ -91,6 +91,7 @@ class ThingBuilder(ShapeBuilder):
 
     def _body(self, statement: New, settings: Settings) -> list[Command]:
         self._body_conflicts(settings)
+        self._picture_conflicts(settings)
         options: list[Option] = [Option("kind", _body_kind(settings))]
         options.append(self._place(statement, settings))
         shapes = self.shapes(statement, settings)
@@ -99,6 +100,7 @@ class ThingBuilder(ShapeBuilder):
         return [values.AddBody(statement.place, name, shapes, tuple(options))]
 
     def _character(self, statement: New, settings: Settings) -> list[Command]:
+        self._picture_conflicts(settings)
         options = [self._place(statement, settings)]
         if "velocity" in settings:
             hint = "throw it later, as in: set hero velocity 0 12;"
@@ -125,6 +127,7 @@ class ThingBuilder(ShapeBuilder):
         return tuple(Called(name.name) for name in named if isinstance(name, Identifier))
 
     def _drawing(self, statement: New, settings: Settings) -> list[Command]:
+        self._picture_conflicts(settings)
         options = [self._place(statement, settings)]
         options += self._options(settings, "at")
         shapes = self.shapes(statement, settings)
@@ -163,6 +166,18 @@ class ThingBuilder(ShapeBuilder):
                 if word in settings:
                     message = f"{word} means nothing for a thing that stands still"
                     self.error("stands-still", message, settings[word][0].place, "add physicsOn")
+
+    def _picture_conflicts(self, settings: Settings) -> None:
+        """What is said about a picture needs one, and the number of its frames is known beforehand."""
+        for word, needed in (("frames", "texture"), ("tile", "texture"), ("fps", "frames")):
+            if word in settings and needed not in settings:
+                hint = f'as in: texture "coin.png" {"tile 0.5" if word == "tile" else "frames 4 1 fps 10"}'
+                self.error("missing-property", f"{word} needs {needed}", settings[word][0].place, hint)
+        if "frames" in settings:
+            (spot,) = settings["frames"][0].values
+            assert isinstance(spot, Spot)
+            for side, what in ((spot.x, "the columns of frames"), (spot.y, "the rows of frames")):
+                self.whole(side, what, Range(least=1, most=MOST_COLUMNS))
 
     def _spring(self, statement: New, settings: Settings) -> list[Command]:
         options: list[Option] = []

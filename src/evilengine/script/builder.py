@@ -36,6 +36,8 @@ from evilengine.values.tick import FASTEST, SLOWEST
 
 THINGS = (*BODIES, *JOINTS, PARTICLES, "spring", "force", "drag", "medium", DRAWING, TEXT)
 
+WIDEST_QUAKE = 1000.0  # logical points, as the camera has it
+
 _SECONDS = Range(least=0.0, most=1e6)
 _INTERVAL = Range(least=0.02, most=1e6)  # shorter than a step is no interval
 
@@ -128,6 +130,12 @@ class Builder(ThingBuilder):
             case "pace", (pace,):
                 assert not isinstance(pace, Text | Identifier | Spot)
                 return [values.SetPace(place, self.number(pace, "pace", Range(least=SLOWEST, most=FASTEST)))]
+            case "quake", (strength,):
+                assert not isinstance(strength, Text | Identifier | Spot)
+                return [values.Quake(place, self.number(strength, "quake", Range(least=0.0, most=WIDEST_QUAKE)))]
+            case "follow", (Identifier() as name,):
+                made = self.called(name, BODIES, "thing")
+                return [values.Follow(place, Called(name.name))] if made else []
             case "destroy", (Identifier() as name,):
                 made = self.called(name, THINGS, "thing")
                 return [values.Destroy(place, Called(name.name))] if made else []

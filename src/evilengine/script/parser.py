@@ -229,6 +229,10 @@ class Parser(Pictured):
                 return ()
             case "pace":
                 return (self.number("pace needs a number, as in: pace 0.25;"),)
+            case "quake":
+                return (self.number("quake needs a number of points, as in: quake 12;"),)
+            case "follow":
+                return (self.name_of("follow needs the name of a thing, as in: follow ball;"),)
             case "let":
                 return self._let()
             case "destroy":

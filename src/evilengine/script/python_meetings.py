@@ -24,7 +24,7 @@ class PythonMeetings(PythonLines):
     def _character(self, command: commands.AddCharacter | commands.AddLadder | commands.Drive | commands.Tell) -> None:
         match command:
             case commands.AddCharacter():
-                arguments = [self.make(command.shape), *(self.option(each) for each in command.options)]
+                arguments = [self.make(command.shape), *self.options(command.options)]
                 self._add_tagged(command.name, "game.add_character", arguments, command.options, ".body")
                 self._cast.add(self.called(command.name))
             case commands.AddLadder(area=area, bodies=bodies):

@@ -19,6 +19,7 @@ from evilengine.values.level import (
     PlaySound,
     Value,
 )
+from evilengine.values.sheet import ALL_FRAMES
 
 _OPERATORS = {
     "less": ("<", 1), "more": (">", 1), "at_most": ("<=", 1), "at_least": (">=", 1), "equal": ("==", 1),
@@ -96,6 +97,21 @@ class PythonValues:
                 return quoted(value)
             case _:
                 return self.number(value)
+
+    def options(self, options: tuple[Option, ...]) -> list[str]:
+        """How a thing is made and looks, as keyword arguments; frames make a sheet of its texture."""
+        said = {option.name: option.value for option in options}
+        frames = said.get("frames")
+        if not isinstance(frames, Pair):
+            return [self.option(option) for option in options]
+        assert isinstance(frames.x, float)
+        assert isinstance(frames.y, float)
+        columns, rows, name = int(frames.x), int(frames.y), quoted(ALL_FRAMES)
+        fps = f"fps={self.value(said['fps'])}, " if "fps" in said else ""
+        animations = f"animations={{{name}: range({columns * rows})}}"
+        sheet = f"evil.Sheet({self.value(said['texture'])}, {columns}, {rows}, {fps}{animations})"
+        rest = [self.option(option) for option in options if option.name not in ("texture", "frames", "fps")]
+        return [*rest, f"texture={sheet}", f"animation={name}"]
 
     def option(self, option: Option) -> str:
         if option.name == "hidden":

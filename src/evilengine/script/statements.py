@@ -25,6 +25,20 @@ STATEMENTS: Mapping[str, Statement] = {
             meant=("camera", "screen", "size", "window"),
         ),
         Statement(
+            word="follow",
+            form="follow NAME;",
+            doc="Keeps a thing in the middle of the screen from now on, wherever it goes.",
+            example="new circle ball 0.5 at 0 3 physicsOn velocity 4 0;\nfollow ball;",
+            meant=("track", "chase", "lookAt"),
+        ),
+        Statement(
+            word="quake",
+            form="quake NUMBER;",
+            doc="Shakes the picture, at first by so many points; it dies away by itself.",
+            example="new circle ball 0.5 at 0 3 physicsOn;\non collide ball { quake 12; }",
+            meant=("cameraShake", "shakeScreen", "earthquake"),
+        ),
+        Statement(
             word="gravity",
             form="gravity X Y;",
             doc="The pull on everything that moves, in metres a second, each second. On Earth it is `0 -9.81`.",

@@ -74,6 +74,12 @@ class Translator(PythonPictures):
                 self._line(f"game.go({quoted(file)})" if file else "game.restart()")
             case commands.SetPace(pace=pace):
                 self._line(f"game.speed = {self.number(pace)}")
+            case commands.Quake(strength=strength):
+                self._line(f"game.camera.shake({self.number(strength)})")
+            case commands.Follow(target=target):
+                name = self.called(target.name)
+                with self._if_alive(name):
+                    self._line(f"game.camera.follow({name})")
             case commands.SetSeed(seed=seed):
                 self._line(f"game.random.seed({seed})")
             case commands.AddBody():
@@ -81,7 +87,7 @@ class Translator(PythonPictures):
             case commands.AddCharacter() | commands.AddLadder() | commands.Drive() | commands.Tell():
                 self._character(command)
             case commands.AddDrawing():
-                arguments = [self.make(command.shape), *(self.option(each) for each in command.options)]
+                arguments = [self.make(command.shape), *self.options(command.options)]
                 self._call(self._naming(command.name), "game.draw", arguments)
             case commands.AddForce():
                 self._add_force(command)
@@ -147,7 +153,7 @@ class Translator(PythonPictures):
     def _add_body(self, command: commands.AddBody) -> None:
         shapes = [self.make(each) for each in command.shapes]
         shape = shapes[0] if len(shapes) == 1 else f"[{', '.join(shapes)}]"
-        arguments = [shape, *(self.option(each) for each in command.options)]
+        arguments = [shape, *self.options(command.options)]
         self._add_tagged(command.name, "game.add", arguments, command.options)
 
     def _add_force(self, command: commands.AddForce) -> None:

@@ -12,6 +12,7 @@ LANGUAGE_VERSION = 1
 MAX_ROUNDS = 1000  # rounds of one repeat; beyond, a level takes seconds to load
 MAX_WORK = 20_000  # statements carried out by nested repeats at once; ten thousand bodies fill a screen many times over
 MAX_NESTING = 16  # blocks inside blocks
+MOST_COLUMNS = 64  # frames side by side, or one below another, of a sheet: 64 by 64 is as many as a Sheet takes
 MAX_CORNERS = 256  # corners of one polygon
 MAX_BODIES = 10_000  # bodies that a level keeps alive; `new` does nothing beyond, so a forgotten `every` stays playable
 FARTHEST = 100_000.0  # metres from the origin; float32 positions are a centimetre apart there

@@ -248,6 +248,18 @@ class SetPace:
 
 
 @dataclass(frozen=True, slots=True)
+class Follow:
+    place: Place
+    target: Called
+
+
+@dataclass(frozen=True, slots=True)
+class Quake:
+    place: Place
+    strength: Number
+
+
+@dataclass(frozen=True, slots=True)
 class Let:
     """Makes a number that the level can change."""
 
@@ -390,6 +402,8 @@ Command: TypeAlias = (
     | PlayMusic
     | Go
     | SetPace
+    | Follow
+    | Quake
     | Let
     | SetNumber
     | SetProperty

@@ -15,6 +15,9 @@ COURSES = ("loop", "once", "back")
 MOST_CELLS = 4096
 """Frames of a sheet: each becomes a picture of its own."""
 
+ALL_FRAMES = "all"
+"""The animation of a level's picture that has frames."""
+
 MOST_FRAMES = 10_000
 SLOWEST, FASTEST = 0.001, 1000.0  # frames a second
 

@@ -1,0 +1,47 @@
+"""How the things of a level look, in the words of a game."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from evilengine.values import level as commands
+from evilengine.values.sheet import ALL_FRAMES, Sheet
+from evilengine.world.body import Body
+
+if TYPE_CHECKING:
+    from evilengine.game import Game
+    from evilengine.level.level import Level
+    from evilengine.level.rules import Scope
+
+LOOKS = frozenset({"colour", "texture", "frames", "fps", "tile", "layer", "hidden"})
+"""What a world alone has no use for."""
+
+
+def drawn(values: dict[str, Any], beside: Callable[[str], str]) -> dict[str, Any]:
+    """Options as a game takes them: what is visible rather than hidden, a sheet where a picture has frames, and files
+    by the names that `beside` gives them."""
+    hidden, frames, fps = (values.pop(name, None) for name in ("hidden", "frames", "fps"))
+    if hidden:
+        values["visible"] = False
+    if "texture" in values:
+        values["texture"] = beside(values["texture"])
+    if frames is not None:
+        columns, rows = (int(each) for each in frames)
+        speed = {} if fps is None else {"fps": fps}
+        every = {ALL_FRAMES: range(columns * rows)}
+        values |= {
+            "texture": Sheet(values["texture"], columns, rows, animations=every, **speed),
+            "animation": ALL_FRAMES,
+        }
+    return values
+
+
+def move_camera(level: Level, command: commands.Quake | commands.Follow, scope: Scope, game: Game) -> None:
+    """What the camera is told."""
+    if isinstance(command, commands.Quake):
+        game.camera.shake(level._number(command.strength, scope))
+        return
+    body = level._thing(command.target, scope)
+    if isinstance(body, Body):  # else it is gone
+        game.camera.follow(body)
