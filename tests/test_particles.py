@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import struct
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -277,6 +278,18 @@ def test_a_save_with_particles_that_are_none_changes_nothing() -> None:
         with pytest.raises(evil.SaveError):
             saving.from_bytes(other, saving.SAVED_GAME.write({**sections, "particles": damaged}), "saved")
         assert other.scene.emitters == (keep,)
+
+
+@pytest.mark.parametrize("number", [3e38, -1e20, math.inf, math.nan])
+@pytest.mark.parametrize("column", range(9))
+def test_no_number_of_a_save_gets_a_particle_out_of_hand(number: float, column: int) -> None:
+    game = fountain()
+    game.step(30)
+    data = bytearray(saving.SAVED_GAME.read(saving.to_bytes(game), "saved")["particles"])
+    struct.pack_into("<f", data, 20 + 4 * column * game.scene.emitters[0].count, number)
+    sections = saving.SAVED_GAME.read(saving.to_bytes(game), "saved")
+    with pytest.raises(evil.SaveError):
+        saving.from_bytes(quiet(), saving.SAVED_GAME.write({**sections, "particles": bytes(data)}), "saved")
 
 
 def test_a_save_from_before_there_were_particles_is_read() -> None:

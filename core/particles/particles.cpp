@@ -11,8 +11,9 @@
 namespace evil::particles {
 namespace {
 
-constexpr float kSkin = 0.001f; // metres off what was touched: at zero, the next step would begin inside it
-constexpr float kGentle = 0.2f; // m/s: what touches slower than this stays down, or it would hop for ever
+constexpr float kSkin = 0.001f;    // metres off what was touched: at zero, the next step would begin inside it
+constexpr float kGentle = 0.2f;    // m/s: what touches slower than this stays down, or it would hop for ever
+constexpr float kFarthest = 1e12f; // metres, and whatever else: farther than any life leads from the edge of the world
 constexpr std::uint32_t kLanes = 8;
 
 // SplitMix64 (Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators").
@@ -298,7 +299,10 @@ bool restore(State& state, std::span<const std::uint8_t> bytes, std::uint32_t mo
     read.count = static_cast<std::uint32_t>(count);
     make_room(read, read.count);
     for (std::vector<float>& column : read.columns)
-        for (std::uint32_t i = 0; i < read.count; ++i) ar.value(column[i]);
+        for (std::uint32_t i = 0; i < read.count; ++i) {
+            ar.value(column[i]);
+            ar.ok &= std::fabs(column[i]) <= kFarthest;
+        }
     const bool sound = ar.ok && ar.at_end() && read.owed >= 0.0f && read.owed < 1.0f;
     if (sound) state = std::move(read);
     return sound;
