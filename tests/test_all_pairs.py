@@ -196,7 +196,7 @@ def test_a_ray_stops_where_the_shape_begins(
     if hit is None:
         assert all(is_in(shape, point) > -1e-3 for point in way)
         return
-    assert abs(is_in(shape, tuple(hit.point))) < 1e-4
+    assert abs(is_in(shape, hit.point)) < 1e-4
     assert all(is_in(shape, point) > -1e-3 for k, point in enumerate(way) if k / 100 < hit.fraction)
     assert hit.normal.length == pytest.approx(1.0)
     assert hit.normal.dot(evil.Vec2(end[0] - start[0], end[1] - start[1])) < 0

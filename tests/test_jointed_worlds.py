@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+from typing import Any
 
 import pytest
 from hypothesis import given, settings
@@ -23,8 +24,10 @@ SHAPES = [
 def some_joint(chance: random.Random, a: evil.Body, b: evil.Body) -> joints.Joint:
     middle = 0.5 * (a.position + b.position)
     limits = chance.choice([None, (-0.5, 0.7)])
-    spring = chance.choice([{}, {"frequency": chance.uniform(0.5, 5), "damping_ratio": chance.uniform(0, 1)}])
-    motor = chance.choice([{}, {"motor_speed": chance.uniform(-5, 5)}])
+    spring: dict[str, Any] = chance.choice(
+        [{}, {"frequency": chance.uniform(0.5, 5), "damping_ratio": chance.uniform(0, 1)}]
+    )
+    motor: dict[str, Any] = chance.choice([{}, {"motor_speed": chance.uniform(-5, 5)}])
     kind = chance.randrange(9)
     if kind == 0:
         return joints.Hinge(a, b, at=middle, limits=limits, max_torque=50 if motor else None, **motor, **spring)

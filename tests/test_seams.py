@@ -143,7 +143,7 @@ def test_round_things_go_over_tiles_that_bend_uphill_as_over_a_chain(
         world = evil.World()
         uphill = (math.cos(bend), math.sin(bend))
         if tiles:
-            tops = [((x, 0.0), (x + 1.0, 0.0)) for x in range(-4, 0)]
+            tops = [((float(x), 0.0), (x + 1.0, 0.0)) for x in range(-4, 0)]
             tops += [((x * uphill[0], x * uphill[1]), ((x + 1) * uphill[0], (x + 1) * uphill[1])) for x in range(6)]
             for (ax, ay), (bx, by) in tops:
                 world.add(evil.Polygon([(ax, ay), (ax, ay - 1), (bx, by - 1), (bx, by)]), kind="static")
