@@ -50,10 +50,10 @@ def test_a_chain_that_is_let_go_level_swings_without_stretching(links, load):
     world = evil.World()
     joints = chain(world, links, load=load)
     widest = 0.0
-    for _ in range(300):
+    for _ in range(900):
         world.step(STEP)
         widest = max(widest, gaps(joints))
-    assert widest < 0.01 * LINK * links
+    assert widest < 0.02 * LINK * links
 
 
 def test_a_chain_with_a_ball_a_thousand_times_as_heavy_hangs_still():

@@ -166,16 +166,15 @@ void begin_chains(std::span<ChainLink> links, std::span<const SolverBody> bodies
     refresh(links, bodies, pass);
 }
 
-void warm_chains(std::span<const ChainLink> links, std::span<SolverBody> bodies) {
-    for (const ChainLink& k : links) push_both(k, bodies, k.impulse);
-}
-
+// From nothing in every substep: the pushes of the last one, at arms that have turned since, would whip a long chain up, and
+// as all links are solved at once there is no need of them.
 void move_chains(std::span<ChainLink> links, std::span<SolverBody> bodies, const JointPass& pass) {
     float rate = pass.stiff.pull / pass.stiff.keep;
     for (ChainLink& k : links) {
         const SolverBody &a = bodies[k.a], &b = bodies[k.b];
         Vec2 now = speed(b, k.arm_b) + bend(b, k.arm_b, pass) - (speed(a, k.arm_a) + bend(a, k.arm_a, pass));
         ask(k, now + rate * k.error);
+        k.impulse = {};
     }
     solve(links, bodies);
 }

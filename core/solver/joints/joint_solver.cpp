@@ -334,7 +334,6 @@ void warm_start_joints(Solver& solver, InstructionSet set) {
         solver.joints.fresh = false;
     }
     warm_lone(solver.joints.alone, solver.bodies);
-    warm_chains(solver.joints.links, solver.bodies);
     EVIL_PICK(set, warm_joints)(tables(solver));
 }
 
