@@ -6,6 +6,7 @@ that are installed (pip install 'evilengine[bench]'), in the same process and in
   evil bench physics --scene pyramid --steps 100   one scene
   evil bench physics --only growth                 one part: steps, growth, access or memory
   evil bench physics --json numbers.json           the numbers as a file, too
+  evil bench draw                                  frames of moving sprites, beside 'evilengine[bench-draw]'
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ PARTS = ("steps", "growth", "access", "memory")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("what", choices=("physics",), help="what to measure")
+    parser.add_argument("what", choices=("physics", "draw"), help="what to measure")
     parser.add_argument("--only", action="append", choices=PARTS, help="only this part (may be given again)")
     parser.add_argument(
         "--scene", action="append", metavar="NAME", help="only steps of this scene (may be given again)"
@@ -56,6 +57,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
+    if args.what == "draw":
+        return _draw(args)
     from evilengine.bench.scene import SCENES, find
 
     scenes = [find(name) for name in args.scene] if args.scene else list(SCENES.values())
@@ -78,6 +81,27 @@ def run(args: argparse.Namespace) -> int:
     if target is not None:
         target.write_text(json.dumps(numbers, indent=1) + "\n")
         print(f"\nwritten to {target}")
+    return 0
+
+
+def _draw(args: argparse.Namespace) -> int:
+    from evilengine.bench import drawing
+    from evilengine.values.checks import one_of
+
+    names = (
+        []
+        if args.peer == ["none"]
+        else [one_of(name, "bench", "--peer", drawing.PEERS) for name in args.peer or drawing.PEERS]
+    )
+    counts = drawing.COUNTS if args.size is None else (args.size,)
+    rows, missing = drawing.measure(counts, args.steps or 20, names, args.patience, tell)
+    print(f"ms a frame of {drawing.SIZE[0]} x {drawing.SIZE[1]}, least\n{drawing.table_of(rows)}")
+    if missing:
+        print(f"left out: {'; '.join(missing)}")
+    if args.json:
+        Path(args.json).write_text(
+            json.dumps({"machine": _machine(), "draw": rows, "left_out": missing}, indent=1) + "\n"
+        )
     return 0
 
 
