@@ -207,7 +207,8 @@ def measure(
     counts: Iterable[int], frames: int, peers: Iterable[str], patience: float, tell: Tell
 ) -> tuple[list[Numbers], list[str]]:
     """A row for each scene and count, and what is not installed or has no driver here."""
-    rows, missing = [], dict.fromkeys(())
+    rows: list[Numbers] = []
+    missing: dict[str, None] = {}
     with tempfile.TemporaryDirectory() as folder:
         file = picture().save(Path(folder) / "disc.png")
         for scene, turning in SCENES.items():
