@@ -163,6 +163,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
         "drawing": scene.slots,
         "text": scene.texts,
         "emitter": emitters.serials,
+        "light": scene.light_slots,
         "event": events,
     }
     present = [*game.levels, *[None] * len(state["levels"])]
@@ -215,6 +216,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
             "drawing": scene.drawing,
             "text": scene.text,
             "emitter": emitters.emitter,
+            "light": game.lights._in_slot,
             "event": waiting.__getitem__,
         }
         for later, (kind, number) in handles:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
+from evilengine.level import lights
 from evilengine.level.rules import Scope
 from evilengine.script.air_options import emitter_options
 from evilengine.values import level as commands
@@ -15,6 +16,9 @@ if TYPE_CHECKING:
 
 
 def carry_out(level: Level, command: commands.Picture, scope: Scope, game: Game) -> None:
+    if isinstance(command, commands.AddLight | commands.SetAmbient):
+        lights.carry_out(level, command, scope, game)
+        return
     options: dict[str, Any] = {each.name: level._value(each.value, scope) for each in command.options}
     match command:
         case commands.SetBackground(what=what):

@@ -205,7 +205,7 @@ class Level(Values):
                 game.camera.fit(width, height)
             case commands.SetTilt(on=on):
                 game.tilt = on
-            case commands.SetBackground() | commands.SetPlane() | commands.SetLens() | commands.AddParticles():
+            case _ if isinstance(command, commands.Picture):
                 air.carry_out(self, command, scope, game)
             case commands.SetSeed(seed=seed):
                 game.random.seed(seed)

@@ -12,10 +12,10 @@ from evilengine.world.joints import Joint
 
 if TYPE_CHECKING:
     from evilengine.level.level import Level
-    from evilengine.scene import Drawing, Emitter, Text
+    from evilengine.scene import Drawing, Emitter, Light, Text
     from evilengine.timer import Event
 
-Thing: TypeAlias = "Body | Drawing | Emitter | Force | Joint | Text"
+Thing: TypeAlias = "Body | Drawing | Emitter | Force | Joint | Light | Text"
 
 
 class Gone:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from evilengine import script
 from evilengine.level.level import Level
 from evilengine.level.rules import Consequence, Gone, Rounds, Scope
-from evilengine.scene import Drawing, Emitter, Text
+from evilengine.scene import Drawing, Emitter, Light, Text
 from evilengine.script.tags import EVENTS, Rule, Tags, Told
 from evilengine.timer import Event
 from evilengine.values import level as commands
@@ -49,6 +49,8 @@ def reference(thing: object) -> Reference:
             return ["joint", thing._handle().slot]
         case Drawing(alive=True):
             return ["drawing", thing._slot]
+        case Light(alive=True):
+            return ["light", thing._slot]
         case Emitter(alive=True):
             return ["emitter", thing._serial]
         case Text(alive=True):

@@ -54,7 +54,7 @@ class Lights:
 
     def __iter__(self) -> Iterator[Light]:
         """Each light, in the order of their slots."""
-        lights = [Light(self, slot, self._core.generation(slot)) for slot in self._core.slots()]
+        lights = [self._in_slot(slot) for slot in self._core.slots()]
         return iter([light for light in lights if light.alive])
 
     @property
@@ -165,6 +165,10 @@ class Lights:
         if body.world is not self._world:
             raise ArgumentError(f"{owner}: {body!r} lives in another world than the one that these lights shine on")
         return body.slot, body.generation
+
+    def _in_slot(self, slot: int) -> Light:
+        """The light in a slot."""
+        return Light(self, slot, self._core.generation(slot))
 
     def _body_of(self, slot: int, generation: int) -> Body | None:
         """The body that a light is on, dead or alive; None if there is no such light any more."""

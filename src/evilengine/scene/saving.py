@@ -88,6 +88,11 @@ class SceneState:
         return self._lights.bodies
 
     @property
+    def light_slots(self) -> set[int]:
+        """The slots in which there will be lights."""
+        return set(self._lights.slots)
+
+    @property
     def texts(self) -> set[int]:
         """The serial numbers of the texts that there will be."""
         return set(self._texts)

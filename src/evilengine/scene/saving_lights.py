@@ -51,7 +51,7 @@ class SavedLights:
     def __init__(self, lights: Lights, state: dict[str, Any] | None) -> None:
         self._lights = lights
         self._read = Lights(lights._world)
-        self._slots: list[int] = []
+        self.slots: list[int] = []
         self._serials: list[int] = []
         self.bodies: list[int] = []
         """The slots of the bodies that lights are on; NO_SLOT for none."""
@@ -62,7 +62,7 @@ class SavedLights:
         self._next = int(state["next"])
         for row in state["rows"]:
             self._read_row(row)
-        if self._slots != sorted(set(self._slots)) or not all(0 <= slot < MOST_LIGHTS for slot in self._slots):
+        if self.slots != sorted(set(self.slots)) or not all(0 <= slot < MOST_LIGHTS for slot in self.slots):
             raise ValueError("lights in their slots")
         if len(set(self._serials)) != len(self._serials) or not all(0 <= s < self._next for s in self._serials):
             raise ValueError("lights in their order")
@@ -84,14 +84,14 @@ class SavedLights:
         light.angle = angle
         if light.kind != kind:
             raise ValueError(f"{kind!r} is no kind of light")
-        self._slots.append(int(row["slot"]))
+        self.slots.append(int(row["slot"]))
         self._serials.append(int(row["serial"]))
         self.bodies.append(_core.NO_SLOT if row["on_body"] is None else int(row["on_body"]))
 
     def put(self) -> None:
         """Become what was saved. The world must have been restored, and have the bodies that lights are on."""
         lights, read = self._lights, self._read._core
-        places = lights._core.restore(lights._world._core, self._slots, self._serials, self.bodies, self._next)
+        places = lights._core.restore(lights._world._core, self.slots, self._serials, self.bodies, self._next)
         for number, place in enumerate(places):
             for name in _FIELDS:
                 value = getattr(read, name)(number, read.generation(number))

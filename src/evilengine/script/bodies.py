@@ -5,6 +5,7 @@ from __future__ import annotations
 from evilengine.script.air import PARTICLES
 from evilengine.script.arithmetic import formula
 from evilengine.script.joints import JOINTS
+from evilengine.script.lighting import LIGHT
 from evilengine.script.names import DRAWING, SOMETHING, Made, family_made
 from evilengine.script.settings import example_of
 from evilengine.script.shaping import Settings, ShapeBuilder
@@ -48,6 +49,9 @@ class ThingBuilder(ShapeBuilder):
                 commands = self._joint(statement, settings)
             elif kind.family == "character":
                 commands = self._character(statement, settings)
+            elif kind.family == LIGHT:
+                name = statement.name.name if statement.name else ""
+                commands = [values.AddLight(statement.place, name, tuple(self._options(settings)))]
             elif kind.family == PARTICLES:
                 name = statement.name.name if statement.name else ""
                 commands = [values.AddParticles(statement.place, name, tuple(self._options(settings)))]

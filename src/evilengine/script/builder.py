@@ -8,6 +8,7 @@ from evilengine.script.bodies import BODIES, ThingBuilder
 from evilengine.script.characters import TELLINGS
 from evilengine.script.checker import thing
 from evilengine.script.joints import JOINTS
+from evilengine.script.lighting import LIGHT
 from evilengine.script.names import DRAWING, NUMBER, SOMETHING, TEXT, Made
 from evilengine.script.syntax import (
     Block,
@@ -34,7 +35,7 @@ from evilengine.values import level as values
 from evilengine.values.level import Called, Command, Number, Option, Place, Tagged, Value
 from evilengine.values.tick import FASTEST, SLOWEST
 
-THINGS = (*BODIES, *JOINTS, PARTICLES, "spring", "force", "drag", "medium", DRAWING, TEXT)
+THINGS = (*BODIES, *JOINTS, PARTICLES, LIGHT, "spring", "force", "drag", "medium", DRAWING, TEXT)
 
 WIDEST_QUAKE = 1000.0  # logical points, as the camera has it
 
@@ -123,6 +124,9 @@ class Builder(ThingBuilder):
                 return [values.SetSeed(place, self.whole(seed, "the seed", Range(least=0, most=1e9)))]
             case "gravity", (Spot() as pull,):
                 return [values.SetGravity(place, self.pair(pull, "gravity", Range(least=-1000.0, most=1000.0)))]
+            case "ambient", (strength,):
+                assert not isinstance(strength, Text | Identifier | Spot)
+                return [values.SetAmbient(place, self.number(strength, "ambient light", Range(least=0.0, most=4.0)))]
             case "tilt", (Identifier(name=switch),):
                 return [values.SetTilt(place, switch == "on")]
             case "go" | "restart", _:
@@ -239,14 +243,14 @@ class Builder(ThingBuilder):
     def _change(self, statement: Change) -> list[Command]:
         target = statement.target
         if statement.setting is None and statement.value is None:
-            self.called(target, (*BODIES, *JOINTS, PARTICLES, DRAWING, TEXT, NUMBER), "thing")
+            self.called(target, (*BODIES, *JOINTS, PARTICLES, LIGHT, DRAWING, TEXT, NUMBER), "thing")
             return []
         if statement.setting is None:
             return self._change_number(statement)
-        made = self.called(target, (*BODIES, *JOINTS, PARTICLES, DRAWING, TEXT), "thing")
+        made = self.called(target, (*BODIES, *JOINTS, PARTICLES, LIGHT, DRAWING, TEXT), "thing")
         if made is None or statement.broken:
             return []
-        family = made.family if made.family in (DRAWING, TEXT, "character", PARTICLES, *JOINTS) else "body"
+        family = made.family if made.family in (DRAWING, TEXT, "character", PARTICLES, LIGHT, *JOINTS) else "body"
         entry = property_of(statement.setting.word, family)
         if made.family == SOMETHING and (entry is None or not entry.settable):
             entry = property_of(statement.setting.word, "character")

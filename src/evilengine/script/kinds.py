@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from evilengine.script.air import AIR_KINDS
 from evilengine.script.characters import CHARACTER_KINDS
 from evilengine.script.joints import JOINT_KINDS
+from evilengine.script.lighting import LIGHT_KINDS
 from evilengine.script.word import ANY, MAX_CORNERS, NOT_NEGATIVE, Kind, Range, Size
 
 KINDS: Mapping[str, Kind] = {
@@ -141,6 +142,7 @@ KINDS: Mapping[str, Kind] = {
         ),
         *CHARACTER_KINDS,
         *AIR_KINDS,
+        *LIGHT_KINDS,
         *JOINT_KINDS,
     )
 }

@@ -227,6 +227,8 @@ class Parser(Pictured):
                 return (self.file("go", "a level", "level2.evil"),)
             case "restart":
                 return ()
+            case "ambient":
+                return (self.number("ambient needs a number, as in: ambient 0.1;"),)
             case "pace":
                 return (self.number("pace needs a number, as in: pace 0.25;"),)
             case "quake":

@@ -5,6 +5,7 @@ from __future__ import annotations
 from evilengine.script.air import AIR_PROPERTIES
 from evilengine.script.characters import CHARACTER_PROPERTIES
 from evilengine.script.joints import JOINT_PROPERTIES
+from evilengine.script.lighting import LIGHT_PROPERTIES
 from evilengine.script.meeting import MEETING
 from evilengine.script.word import FRACTION, NOT_NEGATIVE, PLACE, SIZE, Of, Property, Range
 
@@ -90,6 +91,9 @@ PROPERTIES: tuple[Property, ...] = (
     _look("layer", "whole", "What is drawn over what: a whole number; higher is in front, 0 is usual.",
         example="new circle 0.5 at 0 3 layer 2;", range=Range(least=-1000.0, most=1000.0), settable=True,
         part="drawings", meant=("depth", "zIndex", "z", "order")),
+    _look("lit", "flag", "Lights shine on it, and it is dark where none does.",
+        example="new circle 0.5 at 0 3 lit;", settable=True, part="drawings",
+        meant=("shaded", "dark")),
     _look("hidden", "flag", "It is there but not seen.", example="new rectangle 4 1 at 0 -2 hidden;", settable=True,
         part="drawings", meant=("invisible", "hide", "unseen")),
     _shape("thickness", "length", "How thick the walls of a room are.", example="new walls 15 8 thickness 0.5;",
@@ -135,6 +139,7 @@ PROPERTIES: tuple[Property, ...] = (
         range=Range(above=0.0, most=10_000.0), settable=True, meant=("wrap", "maxWidth")),
     *CHARACTER_PROPERTIES,
     *AIR_PROPERTIES,
+    *LIGHT_PROPERTIES,
     *JOINT_PROPERTIES,
 )
 # fmt: on

@@ -18,6 +18,9 @@ class PythonPictures(PythonMeetings):
     """Writes commands about how the picture looks."""
 
     def _picture(self, command: commands.Picture) -> None:
+        if isinstance(command, commands.SetAmbient):
+            self._line(f"game.ambient = {self.value(command.strength)}")
+            return
         said = {each.name: _Code(self._written(each)) for each in command.options}
         match command:
             case commands.SetBackground(what=what):
@@ -34,6 +37,15 @@ class PythonPictures(PythonMeetings):
                     said["tone_mapping"] = _Code(quoted("filmic"))
                 for name, value in said.items():
                     self._line(f"game.post.{name} = {value}")
+            case commands.AddLight(name=name):
+                if "direction" in said:
+                    said["direction"] = _Code(f"evil.Vec2(1, 0).turned({said['direction']})")
+                if "shadows" in said:
+                    said["shadows"] = _Code("False")
+                if not said.keys() & {"at", "direction", "body"}:
+                    said["at"] = _Code("(0, 0)")
+                with self._if_alive(*([said["body"]] if "body" in said else [])):
+                    self._call(self._naming(name), "game.add_light", [f"{key}={value}" for key, value in said.items()])
             case commands.AddParticles(name=name):
                 options = emitter_options(said)
                 body = [str(options["body"])] if "body" in options else []

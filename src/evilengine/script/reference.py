@@ -83,6 +83,7 @@ def reference() -> str:
     parts.append("### Of joints\n\n" + _table(_merged(*JOINTS)))
     parts.append("### Of forces, drag and media\n\n" + _table(_merged("force", "drag", "medium")))
     parts.append("### Of backgrounds, planes and the lens\n\n" + _table(_merged("background", "plane", "lens")))
+    parts.append("### Of lights\n\n" + _table(properties_of("light")))
     parts.append("### Of particles\n\n" + _table(properties_of("particles")))
     parts.append("### Of drawings\n\n" + _table(properties_of("drawing")))
     parts.append("### Of texts\n\n" + _table(properties_of("text")))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from evilengine.script.air import AIR_STATEMENTS
+from evilengine.script.lighting import LIGHT_STATEMENTS
 from evilengine.script.word import Statement, Word
 
 STATEMENTS: Mapping[str, Statement] = {
@@ -51,6 +52,7 @@ STATEMENTS: Mapping[str, Statement] = {
             example="tilt on;",
         ),
         *AIR_STATEMENTS,
+        *LIGHT_STATEMENTS,
         Statement(
             word="seed",
             form="seed NUMBER;",

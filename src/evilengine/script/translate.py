@@ -68,7 +68,7 @@ class Translator(PythonPictures):
                 self._line(f"game.world.gravity = {self.value(gravity)}")
             case commands.SetTilt(on=on):
                 self._line(f"game.tilt = {on}")
-            case commands.SetBackground() | commands.SetPlane() | commands.SetLens() | commands.AddParticles():
+            case _ if isinstance(command, commands.Picture):
                 self._picture(command)
             case commands.Go(file=file):
                 self._line(f"game.go({quoted(file)})" if file else "game.restart()")

@@ -11,6 +11,8 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from evilengine.values.diagnostics import Diagnostic
+from evilengine.values.level_light import AddLight as AddLight
+from evilengine.values.level_light import SetAmbient as SetAmbient
 from evilengine.values.level_values import (
     FARTHEST_LIMIT as FARTHEST_LIMIT,
 )
@@ -116,7 +118,7 @@ class AddParticles:
     options: tuple[Option, ...]
 
 
-Picture: TypeAlias = SetBackground | SetPlane | SetLens | AddParticles
+Picture: TypeAlias = SetBackground | SetPlane | SetLens | AddParticles | AddLight | SetAmbient
 """Commands about how the picture looks."""
 
 
