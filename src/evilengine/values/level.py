@@ -11,8 +11,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from evilengine.values.diagnostics import Diagnostic
-from evilengine.values.level_light import AddLight as AddLight
-from evilengine.values.level_light import SetAmbient as SetAmbient
+from evilengine.values.level_light import AddLight as AddLight, SetAmbient as SetAmbient  # noqa: I001
 from evilengine.values.level_values import (
     FARTHEST_LIMIT as FARTHEST_LIMIT,
 )
@@ -119,7 +118,6 @@ class AddParticles:
 
 
 Picture: TypeAlias = SetBackground | SetPlane | SetLens | AddParticles | AddLight | SetAmbient
-"""Commands about how the picture looks."""
 
 
 @dataclass(frozen=True, slots=True)
