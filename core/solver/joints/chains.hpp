@@ -34,7 +34,6 @@ struct ChainLink {                       // a joint in a chain
 };
 
 void begin_chains(std::span<ChainLink> links, std::span<const SolverBody> bodies, const JointPass& pass);
-void warm_chains(std::span<const ChainLink> links, std::span<SolverBody> bodies);
 void move_chains(std::span<ChainLink> links, std::span<SolverBody> bodies, const JointPass& pass);
 void calm_chains(std::span<ChainLink> links, std::span<SolverBody> bodies, const JointPass& pass);
 
