@@ -11,7 +11,13 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from evilengine.values.diagnostics import Diagnostic
-from evilengine.values.level_light import AddLight as AddLight, SetAmbient as SetAmbient  # noqa: I001
+from evilengine.values.level_looks import AddLight as AddLight
+from evilengine.values.level_looks import AddParticles as AddParticles
+from evilengine.values.level_looks import Picture as Picture
+from evilengine.values.level_looks import SetAmbient as SetAmbient
+from evilengine.values.level_looks import SetBackground as SetBackground
+from evilengine.values.level_looks import SetLens as SetLens
+from evilengine.values.level_looks import SetPlane as SetPlane
 from evilengine.values.level_values import (
     FARTHEST_LIMIT as FARTHEST_LIMIT,
 )
@@ -80,44 +86,6 @@ class SetView:
 class SetTilt:
     place: Place
     on: bool
-
-
-@dataclass(frozen=True, slots=True)
-class SetBackground:
-    """A colour, or a picture's file name and how it is seen."""
-
-    place: Place
-    what: str
-    options: tuple[Option, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class SetPlane:
-    """How a layer is seen."""
-
-    place: Place
-    layer: int
-    options: tuple[Option, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class SetLens:
-    """What is done to the whole picture."""
-
-    place: Place
-    options: tuple[Option, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class AddParticles:
-    """An emitter, called `name` ("" for none); nothing, when what it follows is gone."""
-
-    place: Place
-    name: str
-    options: tuple[Option, ...]
-
-
-Picture: TypeAlias = SetBackground | SetPlane | SetLens | AddParticles | AddLight | SetAmbient
 
 
 @dataclass(frozen=True, slots=True)
