@@ -305,3 +305,13 @@ def test_whatever_its_numbers_nothing_explodes(density, linear, quadratic, water
             continue
         fastest = abs(speed) * 2 + abs(wind) + 30 * G * (1 + water / density) / 60 + abs(speed)
         assert box.velocity.length <= fastest + 1
+
+
+def test_a_carrier_beside_any_force_keeps_the_speed_that_it_was_given():
+    world = evil.World(gravity=(0, -G))
+    fan = world.add(evil.Rectangle(1, 1), kind="kinematic", velocity=(1, 0), angular_velocity=2)
+    world.add_force(evil.Medium((5, 5, 6, 6), linear=1))
+    run(world, 1)
+    assert fan.velocity == (1, 0)
+    assert fan.angular_velocity == 2
+    assert abs(fan.position.x - 1) < 1e-4

@@ -54,8 +54,9 @@ float kept(float per_second, float h) {
 
 // What forces do to a body in a substep. Into its row number by number: the lanes of what has moved keep their 1 and 0.
 void find_force_step(ForceStep& force, Body& b, const Push& push, Vec2 gravity, float h) {
-    if (b.kind != BodyKind::dynamic) {
-        force = {};
+    if (b.kind != BodyKind::dynamic) { // nothing but what the last substep made of it stays
+        std::ranges::fill(force.keep, 1.0f);
+        std::ranges::fill(force.gain, 0.0f);
         return;
     }
     b.acceleration = clamped(b.inv_mass * (b.force + push.force) + b.gravity_scale * gravity, kMaxForce); // (4.3)

@@ -1,5 +1,4 @@
 #include "solver/joints/joint_solver.hpp"
-#include "solver/joints/chains.hpp"
 #include "solver/joints/joints_wide.hpp"
 #include "solver/joints/lone_joints.hpp"
 #include "solver/joints/softness.hpp"
@@ -181,16 +180,10 @@ void fill_blocks(Solver& solver, const Bodies& bodies, const Joints& joints, std
     }
 }
 
-// A stiff point and nothing else: what turns by a motor, to a limit or softly is solved one joint after the other.
-bool plain(const Joint& j) { return j.along.held && !(j.along.spring_most < kNoLimit) && !driven(j.turn); }
-
-enum InRow : std::uint32_t { free_to_link, linked, too_short, unfit }; // of a joint at a point, for chains
-
 // Which joints are solved, and where.
 void sort_joints(Solver& solver, const Bodies& bodies, const Joints& joints) {
     JointSolver& js = solver.joints;
     js.at_points.clear();
-    js.in_row.clear();
     js.at_axes.clear();
     js.alone.clear();
     for (std::uint32_t slot = 0; slot < joints.slots.size(); ++slot) {
@@ -198,98 +191,13 @@ void sort_joints(Solver& solver, const Bodies& bodies, const Joints& joints) {
         const Joint& j = joints.rows[slot];
         std::uint32_t a = solver.number_of[j.body_a], b = solver.number_of[j.body_b];
         if (!(solver.bodies[a].inv_mass > 0.0f || solver.bodies[b].inv_mass > 0.0f)) continue;
-        if (j.kind == JointKind::gear || j.kind == JointKind::pulley) {
+        if (j.kind == JointKind::gear || j.kind == JointKind::pulley)
             js.alone.push_back(lone_joint(j, slot, a, b, bodies));
-        } else if (is_axial(j.kind) || j.kind == JointKind::distance || j.kind == JointKind::rope) {
+        else if (is_axial(j.kind) || j.kind == JointKind::distance || j.kind == JointKind::rope)
             js.at_axes.push_back({slot, a, b, {}});
-        } else {
+        else
             js.at_points.push_back({slot, a, b, {}});
-            js.in_row.push_back(plain(j) ? free_to_link : unfit);
-        }
     }
-}
-
-// ---- chains ----
-
-constexpr std::size_t kLeastChain = 3; // links; two are as quick one after the other
-constexpr std::uint32_t kCrowd = kNone - 1;
-
-// By solver body, the two joints of `at_points` that it links; kCrowd first where there are more, kNone second where fewer.
-void find_ends(Solver& solver) {
-    JointSolver& js = solver.joints;
-    js.ends.assign(2 * solver.bodies.size(), kNone);
-    for (std::uint32_t n = 0; n < js.at_points.size(); ++n) {
-        if (js.in_row[n] == unfit) continue;
-        for (std::uint32_t body : {js.at_points[n].a, js.at_points[n].b}) {
-            std::uint32_t* end = &js.ends[2 * std::size_t{body}];
-            if (!(solver.bodies[body].inv_mass > 0.0f) || end[0] == kCrowd) continue;
-            if (end[0] == kNone)
-                end[0] = n;
-            else if (end[1] == kNone)
-                end[1] = n;
-            else
-                end[0] = kCrowd;
-        }
-    }
-}
-
-std::uint32_t beyond(const JointSolver& js, std::uint32_t n, std::uint32_t body) { // the joint at the body's other end
-    const std::uint32_t* end = &js.ends[2 * std::size_t{body}];
-    if (end[0] == kCrowd || end[1] == kNone) return kNone;
-    return end[0] == n ? end[1] : end[0];
-}
-
-void add_link(JointSolver& js, std::uint32_t number, bool begins, bool shares_a, const Bodies& bodies,
-              const Joints& joints) {
-    const SolvedJoint& s = js.at_points[number];
-    const Joint& j = joints.rows[s.joint];
-    Arms arms = arms_of(j, bodies.rows[j.body_a], bodies.rows[j.body_b]);
-    ChainLink& k = js.links.emplace_back();
-    k.joint = s.joint;
-    k.number = number;
-    k.a = s.a;
-    k.b = s.b;
-    k.begins = begins;
-    k.shares_a = shares_a;
-    k.start_a = arms.a;
-    k.start_b = arms.b;
-    k.gap = arms.gap;
-    k.impulse = j.impulse;
-}
-
-// From a joint with an open end to the last one in its row.
-void follow(JointSolver& js, std::uint32_t first, const Bodies& bodies, const Joints& joints) {
-    std::size_t before = js.links.size();
-    bool from_a = beyond(js, first, js.at_points[first].a) == kNone; // the open end
-    for (std::uint32_t n = first; n != kNone;) {
-        const SolvedJoint& s = js.at_points[n];
-        js.in_row[n] = linked;
-        add_link(js, n, n == first, from_a, bodies, joints);
-        std::uint32_t body = from_a ? s.b : s.a;
-        n = beyond(js, n, body);
-        if (n != kNone) from_a = js.at_points[n].a == body;
-    }
-    if (js.links.size() - before >= kLeastChain) return;
-    for (std::size_t i = before; i < js.links.size(); ++i) js.in_row[js.links[i].number] = too_short;
-    js.links.resize(before);
-}
-
-// What hangs in a row is solved as one; rings and nets, which have no ends, one joint after the other.
-void find_chains(Solver& solver, const Bodies& bodies, const Joints& joints) {
-    JointSolver& js = solver.joints;
-    js.links.clear();
-    if (js.at_points.size() < kLeastChain) return;
-    find_ends(solver);
-    for (std::uint32_t n = 0; n < js.at_points.size(); ++n) {
-        const SolvedJoint& s = js.at_points[n];
-        if (js.in_row[n] != free_to_link) continue;
-        bool first = (beyond(js, n, s.a) == kNone) != (beyond(js, n, s.b) == kNone);
-        if (first) follow(js, n, bodies, joints);
-    }
-    std::size_t kept = 0;
-    for (std::size_t n = 0; n < js.at_points.size(); ++n)
-        if (js.in_row[n] != linked) js.at_points[kept++] = js.at_points[n];
-    js.at_points.resize(kept);
 }
 
 JointTables tables(Solver& solver) {
@@ -316,7 +224,6 @@ float store_drive(JointDrive& d, const DriveBlock& k, std::size_t i) {
 void prepare_joints(Solver& solver, const Bodies& bodies, const Joints& joints, StepSize step) {
     JointSolver& js = solver.joints;
     sort_joints(solver, bodies, joints);
-    find_chains(solver, bodies, joints);
     float h = step.h();
     js.pass = {h, 1.0f / h, stiff_softness(kHertzOfSubsteps / h, kJointDamping, h)};
     js.fresh = true;
@@ -329,7 +236,6 @@ void prepare_joints(Solver& solver, const Bodies& bodies, const Joints& joints, 
 void warm_start_joints(Solver& solver, InstructionSet set) {
     if (solver.joints.fresh) {
         begin_lone(solver.joints.alone, solver.bodies);
-        begin_chains(solver.joints.links, solver.bodies, solver.joints.pass);
         EVIL_PICK(set, begin_joints)(tables(solver));
         solver.joints.fresh = false;
     }
@@ -340,13 +246,11 @@ void warm_start_joints(Solver& solver, InstructionSet set) {
 void solve_joints(Solver& solver, InstructionSet set) {
     move_lone(solver.joints.alone, solver.bodies, solver.joints.pass);
     EVIL_PICK(set, move_joints)(tables(solver));
-    move_chains(solver.joints.links, solver.bodies, solver.joints.pass);
 }
 
 void relax_joints(Solver& solver, InstructionSet set) {
     calm_lone(solver.joints.alone, solver.bodies);
     EVIL_PICK(set, calm_joints)(tables(solver));
-    calm_chains(solver.joints.links, solver.bodies, solver.joints.pass);
 }
 
 void store_joints(const Solver& solver, Joints& joints, StepSize step) {
@@ -370,12 +274,6 @@ void store_joints(const Solver& solver, Joints& joints, StepSize step) {
         Vec2 n{k.nx[i], k.ny[i]};
         j.force = clamped(by_time * (along * n + across * left_of(n)), kMaxForce);
         j.torque = clamped(by_time * (turning + k.total_turn[i]), kMaxForce);
-    }
-    for (const ChainLink& k : js.links) {
-        Joint& j = joints.rows[k.joint];
-        j.impulse = {finite_impulse(k.impulse.x), finite_impulse(k.impulse.y)};
-        j.force = clamped(by_time * k.total, kMaxForce);
-        j.torque = 0.0f;
     }
     for (const LoneJoint& k : js.alone) {
         Joint& j = joints.rows[k.joint];

@@ -2,7 +2,6 @@
 // Joints inside the contact solver's substeps: each is prepared once a step, then solved with the contacts.
 #include "math/cpu.hpp"
 #include "solver/colouring.hpp"
-#include "solver/joints/chains.hpp"
 #include "solver/joints/joint.hpp"
 #include "solver/joints/joint_blocks.hpp"
 
@@ -25,8 +24,6 @@ struct JointSolver { // Scratch
     std::vector<DriveBlock> drives;
     std::vector<SoftLanes> softs;
     std::vector<LoneJoint> alone;
-    std::vector<ChainLink> links;            // of chains, each from one end to the other
-    std::vector<std::uint32_t> ends, in_row; // by solver body: the joints that it may link; by joint: is it in a chain?
     JointPass pass;
     bool fresh = true; // arms and errors are still to be found
 };
