@@ -81,6 +81,21 @@ def test_other_is_what_was_met_and_tags_hold_for_what_is_made_later() -> None:
     assert "ball" in built
 
 
+def test_what_one_rule_destroyed_no_other_rule_is_told_of() -> None:
+    text = (
+        FLOOR
+        + """
+    let hits 0;
+    new circle 0.5 at 0 0 physicsOn tag "coin"; new circle 0.5 at 3 0 physicsOn tag "ball";
+    repeat 2 as i { on collide "coin" floor { set hits (hits + 1); destroy this; impulse other 0 2; } }
+    repeat 2 as i { on collide floor "ball" { set hits (hits + 1); destroy other; } }
+    """
+    )
+    game, built = play(text, 240)
+    assert [body.tag for body in game.world.bodies if body.tag] == []
+    assert built._top.numbers["hits"] == 2
+
+
 def test_two_things_with_the_same_tag_meet_once() -> None:
     text = """
     gravity 0 0; let hits 0;

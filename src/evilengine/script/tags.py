@@ -129,8 +129,8 @@ class Told:
     def __call__(self, happened: Contact | Visit | Touch | float | None = None) -> None:
         """`happened` is what the event gives: nothing, or how fast it landed, of a character."""
         rule, this = self.rule, self.this
-        if rule.tag is not None and this.tag != rule.tag:
-            return
+        if not this.alive or (rule.tag is not None and this.tag != rule.tag):
+            return  # another rule on the same event may have destroyed it
         match happened:
             case Contact() | Visit():
                 self._met(happened)
@@ -142,8 +142,10 @@ class Told:
     def _met(self, happened: Contact | Visit) -> None:
         rule, this = self.rule, self.this
         other = happened.visitor if isinstance(happened, Visit) else happened.other(this)
+        if not other.alive:
+            return
         if isinstance(rule.second, str):
-            if not other.alive or other.tag != rule.second:
+            if other.tag != rule.second:
                 return
             if rule.second == rule.tag and isinstance(happened, Contact) and happened.a != this:
                 return  # both carry it and both are told; once is enough
