@@ -6,7 +6,7 @@ from typing import Any
 
 import pyb2d3 as b2
 
-from evilengine.bench.peers import Peer, Placed, core_of, corners_of, disc_of, points_of, refuse
+from evilengine.bench.peers import CannotMakeError, Peer, Placed, core_of, corners_of, disc_of, points_of
 from evilengine.values.vec2 import Vec2
 from evilengine.world.body import Body, Shape
 from evilengine.world.joints import Hinge, Joint
@@ -58,11 +58,11 @@ class TheirWorld(Peer):
         elif isinstance(definition, PolygonLike):
             one.create_polygon_shape(form, b2.polygon(points=corners_of(shape)))
         else:
-            raise refuse(definition, self.name)
+            raise CannotMakeError(definition, self.name)
 
     def join(self, joint: Joint, a: Any, b: Any) -> None:
         if not isinstance(joint, Hinge):
-            raise refuse(joint, self.name)
+            raise CannotMakeError(joint, self.name)
         pin = b2.revolute_joint_def(
             body_a=a,
             body_b=b,

@@ -7,7 +7,7 @@ from typing import Any
 
 import pymunk
 
-from evilengine.bench.peers import Peer, Placed, core_of, corners_of, disc_of, points_of, refuse
+from evilengine.bench.peers import CannotMakeError, Peer, Placed, core_of, corners_of, disc_of, points_of
 from evilengine.values.vec2 import Vec2
 from evilengine.world.body import Body, Shape
 from evilengine.world.joints import Hinge, Joint
@@ -58,11 +58,11 @@ class TheirWorld(Peer):
             return [pymunk.Poly(one, [(-x, -y), (x, -y), (x, y), (-x, y)], radius=definition.rounding)]
         if isinstance(definition, PolygonLike):
             return [pymunk.Poly(one, corners_of(shape))]
-        raise refuse(definition, self.name)
+        raise CannotMakeError(definition, self.name)
 
     def join(self, joint: Joint, a: Any, b: Any) -> None:
         if not isinstance(joint, Hinge):
-            raise refuse(joint, self.name)
+            raise CannotMakeError(joint, self.name)
         if "dynamic" not in (joint.a.kind, joint.b.kind):
             return  # it takes none that has nothing to do
         made: list[Any] = [pymunk.PivotJoint(a, b, one_point(joint.at_a))]

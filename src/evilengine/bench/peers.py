@@ -137,8 +137,11 @@ def disc_of(shape: Shape) -> tuple[tuple[float, float], float]:
     return shape.matrix @ Vec2(0, 0), shape.definition.radius
 
 
-def refuse(what: object, peer: str) -> NotImplementedError:
-    return NotImplementedError(f"{peer}: the bench has no way to make a {type(what).__name__} there")
+class CannotMakeError(Exception):
+    """A scene has something that the bench has no way to make with this peer: the scene is timed without it."""
+
+    def __init__(self, what: object, peer: str) -> None:
+        super().__init__(f"{peer}: the bench has no way to make a {type(what).__name__} there")
 
 
 PEERS = {"pyb2d3": "box2d", "pymunk": "chipmunk"}

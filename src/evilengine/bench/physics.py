@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from evilengine.bench.peers import Peer, Placed
+from evilengine.bench.peers import CannotMakeError, Peer, Placed
 from evilengine.bench.scene import STEP, Scene, stage
 from evilengine.bench.timing import Runner, Times, take_turns
 
@@ -95,7 +95,7 @@ def measure(scene: Scene, plan: Plan, peers: Iterable[type[Peer]], tell: Tell) -
     for kind in peers:
         try:
             runners.append(kind(scene, size, plan.substeps))
-        except NotImplementedError as problem:
+        except CannotMakeError as problem:
             tell(str(problem))
             left_out.append(kind.name)
     start = time.perf_counter()

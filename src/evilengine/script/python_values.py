@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 
 from evilengine.values.level import (
     Area,
@@ -32,12 +33,12 @@ _CALLS = {
 }  # fmt: skip
 
 
-class PythonValues:
+class PythonValues(ABC):
     """Writes values; whoever writes the commands knows what Python calls things."""
 
+    @abstractmethod
     def called(self, name: str) -> str:
         """The Python name of what a level calls `name`."""
-        raise NotImplementedError
 
     def number(self, number: Number, tightness: int = 0) -> str:
         """A number; in parentheses if what is round it binds more tightly."""

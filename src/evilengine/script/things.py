@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
+
 from evilengine.script.expressions import Skip, cut, shown
 from evilengine.script.lexer import Source, Token
 from evilengine.script.settings import Settings
@@ -11,7 +13,7 @@ from evilengine.script.words import DRAWN, FUNCTIONS, KINDS, PROPERTY_WORDS, RES
 from evilengine.values.level import Place
 
 
-class Things(Settings):
+class Things(Settings, ABC):
     """Readers of `new`, `text` and `set`."""
 
     def __init__(self, source: Source, tokens: list[Token]) -> None:
@@ -21,9 +23,9 @@ class Things(Settings):
         self._swapped: Identifier | None = None
         """A name that was written before its kind."""
 
+    @abstractmethod
     def block(self, place: Place) -> Block:
         """The statements in { }."""
-        raise NotImplementedError
 
     # set NAME PROPERTY VALUE, set NAME NUMBER
 
