@@ -59,21 +59,21 @@ std::optional<NewShape> shape_of(Bytes& in) {
         return made;
     case 1: {
         const Vec2 half{in.size(), in.size()};
-        made.corners = {{-half.x, -half.y}, {half.x, -half.y}, {half.x, half.y}, {-half.x, half.y}};
+        made.rings.corners = {{-half.x, -half.y}, {half.x, -half.y}, {half.x, half.y}, {-half.x, half.y}};
         break;
     }
     case 2:
         s.kind = ShapeKind::line;
         s.radius = in.byte() % 2 ? in.size() : 0.0f;
-        made.corners = {{-in.size(), 0.0f}, {in.size(), 0.0f}};
+        made.rings.corners = {{-in.size(), 0.0f}, {in.size(), 0.0f}};
         return made;
     default:
-        for (int count = 3 + in.byte() % 6; count > 0; --count) made.corners.push_back(in.point(1e4f));
+        for (int count = 3 + in.byte() % 6; count > 0; --count) made.rings.corners.push_back(in.point(1e4f));
     }
     s.kind = ShapeKind::polygon;
-    if (check_polygon(made.corners).fault != PolygonFault::none) return {};
-    make_counter_clockwise(made.corners);
-    made.parts = split_convex(made.corners);
+    if (check_polygon(made.rings).fault != PolygonFault::none) return {};
+    make_counter_clockwise(made.rings.corners);
+    made.parts = split_convex(made.rings);
     return made;
 }
 
