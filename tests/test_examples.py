@@ -81,7 +81,7 @@ def test_it_runs_as_a_module_without_a_screen(example):
         capture_output=True,
         text=True,
         env={**screenless, "SDL_VIDEODRIVER": ""},
-        timeout=60,
+        timeout=240,
     )
     assert done.returncode == 0, done.stderr
     assert "screen" in done.stderr
