@@ -11,13 +11,12 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 import pytest
+from golden_pictures import GOLDEN, assert_golden
 
 import evilengine as evil
 from evilengine import _core
 from evilengine.game import Game, saving
 from evilengine.values.image import Image
-
-GOLDEN = Path(__file__).parent / "golden"
 
 
 def quiet(**options: Any) -> Game:
@@ -322,12 +321,7 @@ def wood(renderer: str) -> Game:
 
 
 def test_the_golden_picture_comes_out_to_the_bit() -> None:
-    import PIL.Image
-
-    with PIL.Image.open(GOLDEN / "layers.png") as file:
-        expected = np.asarray(file.convert("RGBA"))
-    different = (picture(wood("soft")) != expected).any(axis=2)
-    assert not different.any(), f"{different.sum()} pixels differ, first at {np.argwhere(different)[0]}"
+    assert_golden("layers", wood("soft").capture().pixels)
 
 
 def test_the_graphics_card_draws_it_as_the_processor_does() -> None:

@@ -10,12 +10,10 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-import PIL.Image
 import pytest
 from drawing import Pixels
 from golden_looks import LOOKS, played
-
-GOLDEN = Path(__file__).parent / "golden"
+from golden_pictures import GOLDEN, assert_golden
 
 
 def drawn(name: str, renderer: str, folder: Path) -> Pixels:
@@ -25,12 +23,7 @@ def drawn(name: str, renderer: str, folder: Path) -> Pixels:
 @pytest.mark.parametrize("name", LOOKS)
 @pytest.mark.parametrize(("renderer", "apart"), [("soft", 0), ("gl", 3)])
 def test_games_look_as_they_did(name: str, renderer: str, apart: int, tmp_path: Path) -> None:
-    with PIL.Image.open(GOLDEN / f"{name}.png") as file:
-        expected = np.asarray(file.convert("RGBA")).astype(int)
-    found = drawn(name, renderer, tmp_path).astype(int)
-    assert found.shape == expected.shape
-    worst = np.abs(found - expected).max(axis=2)
-    assert worst.max() <= apart, f"{(worst > apart).sum()} pixels differ, first at {np.argwhere(worst > apart)[0]}"
+    assert_golden(name, drawn(name, renderer, tmp_path), apart)
 
 
 if __name__ == "__main__":

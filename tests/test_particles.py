@@ -11,14 +11,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from golden_pictures import GOLDEN, assert_golden
 
 import evilengine as evil
 from evilengine import _core
 from evilengine.game import Game, saving
 from evilengine.scene import Emitter
 from evilengine.values.image import Image
-
-GOLDEN = Path(__file__).parent / "golden"
 
 
 def quiet(**options: Any) -> Game:
@@ -381,12 +380,7 @@ def picture(game: Game) -> np.ndarray[Any, np.dtype[np.uint8]]:
 
 
 def test_the_golden_picture_comes_out_to_the_bit() -> None:
-    import PIL.Image
-
-    with PIL.Image.open(GOLDEN / "particles.png") as file:
-        expected = np.asarray(file.convert("RGBA"))
-    different = (picture(fire_and_rain("soft")) != expected).any(axis=2)
-    assert not different.any(), f"{different.sum()} pixels differ, first at {np.argwhere(different)[0]}"
+    assert_golden("particles", picture(fire_and_rain("soft")))
 
 
 def test_the_graphics_card_draws_them_as_the_processor_does() -> None:

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import sys
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 import pytest
+from golden_pictures import GOLDEN, assert_golden
 
 import evilengine as evil
 from evilengine import _core
 from evilengine.game import Game, saving
-
-GOLDEN = Path(__file__).parent / "golden"
 
 
 def quiet(background: str = "#808080", **options: Any) -> Game:
@@ -176,12 +174,7 @@ def lantern(renderer: str) -> Game:
 
 
 def test_the_golden_picture_comes_out_to_the_bit() -> None:
-    import PIL.Image
-
-    with PIL.Image.open(GOLDEN / "post.png") as file:
-        expected = np.asarray(file.convert("RGB")).astype(np.int64)
-    different = (picture(lantern("soft")) != expected).any(axis=2)
-    assert not different.any(), f"{different.sum()} pixels differ, first at {np.argwhere(different)[0]}"
+    assert_golden("post", lantern("soft").capture().pixels)
 
 
 def test_the_graphics_card_finishes_it_as_the_processor_does() -> None:

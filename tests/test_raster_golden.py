@@ -6,17 +6,15 @@
 from __future__ import annotations
 
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 from drawing import Pixels
+from golden_pictures import GOLDEN, assert_golden
 from golden_scenes import SCENES
 
 from evilengine.renderer.soft import SoftRenderer
 from evilengine.values.image import Image
-
-GOLDEN = Path(__file__).parent / "golden"
 
 
 def drawn(name: str) -> Pixels:
@@ -27,14 +25,7 @@ def drawn(name: str) -> Pixels:
 
 @pytest.mark.parametrize("name", SCENES)
 def test_golden_pictures_come_out_to_the_bit(name: str) -> None:
-    import PIL.Image
-
-    with PIL.Image.open(GOLDEN / f"{name}.png") as file:
-        expected = np.asarray(file.convert("RGBA"))
-    found = drawn(name)
-    assert found.shape == expected.shape
-    different = (found != expected).any(axis=2)
-    assert not different.any(), f"{different.sum()} pixels differ, first at {np.argwhere(different)[0]}"
+    assert_golden(name, drawn(name))
 
 
 if __name__ == "__main__":
