@@ -83,6 +83,7 @@ struct LoneJoint {
 struct JointPass { // what all joints of a step have in common
     float h, inv_h;
     Softness stiff; // of what is held, in the pass that moves it
+    Softness chain; // of joints in a row
 };
 
 } // namespace evil

@@ -1,4 +1,5 @@
 #include "solver/joints/joint_solver.hpp"
+#include "solver/joints/chain_finding.hpp"
 #include "solver/joints/joints_wide.hpp"
 #include "solver/joints/lone_joints.hpp"
 #include "solver/joints/softness.hpp"
@@ -10,6 +11,9 @@ namespace {
 // A joint is mended at the fastest rate that stays calm: within a few substeps, and stiffer the more of them there are.
 constexpr float kHertzOfSubsteps = 0.25f;
 constexpr float kJointDamping = 2.0f; // damping ratio: an error goes away without swinging
+// Joints in a row are solved as one and can be ten times as stiff; at thirty times, boxes twenty times as heavy as the
+// planks of a bridge would fall through it.
+constexpr float kChainHertzOfSubsteps = 0.79f, kChainDamping = 6.3f;
 
 struct Arms { // of a joint when the step begins: from the centres of mass, and from one of those to the other
     Vec2 a, b, gap;
@@ -100,6 +104,7 @@ struct Lane {
     const Body &a, &b;
     const SolverBody &row_a, &row_b;
     std::size_t i;
+    bool in_chain;
 };
 
 float turned_between(const Joint& j, const Body& a, const Body& b) {
@@ -120,7 +125,10 @@ void fill_point(JointSolver& js, PointBlock& k, const Lane& l) {
     if (driven(l.joint.turn))
         fill_drive(own_drive(js.drives, k.turn), i, l.joint.turn, turned_between(l.joint, l.a, l.b),
                    l.row_a.inv_inertia + l.row_b.inv_inertia, js.pass);
-    if (!l.joint.along.held) // a soft weld, or a motor's pull: of what mass does not matter, as its frequency is given
+    if (l.in_chain) // which holds the point: here it only turns
+        own_softness(js, k.soft).most[i] = k.impulse_x[i] = k.impulse_y[i] = 0.0f;
+    else if (!l.joint.along
+                  .held) // a soft weld, or a motor's pull: of what mass does not matter, as its frequency is given
         fill_soft(own_softness(js, k.soft), i, l.joint.along, l.row_a.inv_mass + l.row_b.inv_mass, js.pass);
     else if (l.joint.along.spring_most < kNoLimit)
         own_softness(js, k.soft).most[i] = l.joint.along.spring_most * js.pass.h;
@@ -175,8 +183,8 @@ void fill_blocks(Solver& solver, const Bodies& bodies, const Joints& joints, std
         block.a[s.place.lane] = s.a;
         block.b[s.place.lane] = s.b;
         fill(js, block,
-             Lane{j, bodies.rows[j.body_a], bodies.rows[j.body_b], solver.bodies[s.a], solver.bodies[s.b],
-                  s.place.lane});
+             Lane{j, bodies.rows[j.body_a], bodies.rows[j.body_b], solver.bodies[s.a], solver.bodies[s.b], s.place.lane,
+                  s.in_chain});
     }
 }
 
@@ -224,8 +232,11 @@ float store_drive(JointDrive& d, const DriveBlock& k, std::size_t i) {
 void prepare_joints(Solver& solver, const Bodies& bodies, const Joints& joints, StepSize step) {
     JointSolver& js = solver.joints;
     sort_joints(solver, bodies, joints);
+    find_chains(js, solver.bodies, bodies, joints);
+    std::erase_if(js.at_points, [&](const SolvedJoint& s) { return s.in_chain && !driven(joints.rows[s.joint].turn); });
     float h = step.h();
-    js.pass = {h, 1.0f / h, stiff_softness(kHertzOfSubsteps / h, kJointDamping, h)};
+    js.pass = {h, 1.0f / h, stiff_softness(kHertzOfSubsteps / h, kJointDamping, h),
+               stiff_softness(kChainHertzOfSubsteps / h, kChainDamping, h)};
     js.fresh = true;
     js.drives.clear();
     js.softs.clear();
@@ -236,21 +247,25 @@ void prepare_joints(Solver& solver, const Bodies& bodies, const Joints& joints, 
 void warm_start_joints(Solver& solver, InstructionSet set) {
     if (solver.joints.fresh) {
         begin_lone(solver.joints.alone, solver.bodies);
+        begin_chains(solver.joints.links, solver.bodies, solver.joints.pass);
         EVIL_PICK(set, begin_joints)(tables(solver));
         solver.joints.fresh = false;
     }
     warm_lone(solver.joints.alone, solver.bodies);
+    warm_chains(solver.joints.links, solver.bodies);
     EVIL_PICK(set, warm_joints)(tables(solver));
 }
 
 void solve_joints(Solver& solver, InstructionSet set) {
     move_lone(solver.joints.alone, solver.bodies, solver.joints.pass);
     EVIL_PICK(set, move_joints)(tables(solver));
+    move_chains(solver.joints.links, solver.bodies, solver.joints.pass);
 }
 
 void relax_joints(Solver& solver, InstructionSet set) {
     calm_lone(solver.joints.alone, solver.bodies);
     EVIL_PICK(set, calm_joints)(tables(solver));
+    calm_chains(solver.joints.links, solver.bodies, solver.joints.pass);
 }
 
 void store_joints(const Solver& solver, Joints& joints, StepSize step) {
@@ -263,6 +278,12 @@ void store_joints(const Solver& solver, Joints& joints, StepSize step) {
         j.impulse = {finite_impulse(k.impulse_x[i]), finite_impulse(k.impulse_y[i])};
         j.force = clamped(by_time * Vec2{k.total_x[i], k.total_y[i]}, kMaxForce);
         j.torque = k.turn == kNoDrive ? 0.0f : clamped(by_time * store_drive(j.turn, js.drives[k.turn], i), kMaxForce);
+    }
+    for (const ChainLink& k : js.links) {
+        Joint& j = joints.rows[k.joint];
+        j.impulse = {finite_impulse(k.impulse.x), finite_impulse(k.impulse.y)};
+        j.force = clamped(by_time * k.total, kMaxForce);
+        if (!driven(j.turn)) j.torque = 0.0f;
     }
     for (const SolvedJoint& s : js.at_axes) {
         Joint& j = joints.rows[s.joint];

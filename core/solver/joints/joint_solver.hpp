@@ -2,6 +2,7 @@
 // Joints inside the contact solver's substeps: each is prepared once a step, then solved with the contacts.
 #include "math/cpu.hpp"
 #include "solver/colouring.hpp"
+#include "solver/joints/chains.hpp"
 #include "solver/joints/joint.hpp"
 #include "solver/joints/joint_blocks.hpp"
 
@@ -13,6 +14,7 @@ struct StepSize;
 struct SolvedJoint {           // where a joint went
     std::uint32_t joint, a, b; // rows of the solver's bodies
     Place place;
+    bool seen = false, in_chain = false; // by find_chains; what is in a chain has a block for its turning alone
 };
 
 struct JointSolver { // Scratch
@@ -24,6 +26,8 @@ struct JointSolver { // Scratch
     std::vector<DriveBlock> drives;
     std::vector<SoftLanes> softs;
     std::vector<LoneJoint> alone;
+    std::vector<ChainLink> links;         // of chains, each from one end to the other
+    std::vector<std::uint32_t> ends, row; // while chains are looked for: by body, its two joints; a row of joints
     JointPass pass;
     bool fresh = true; // arms and errors are still to be found
 };
