@@ -1,4 +1,5 @@
 #include "snapshot.hpp"
+#include "fluid/state.hpp"
 #include "shapes/polygon.hpp"
 #include "state_fields.hpp"
 #include <memory>
@@ -23,30 +24,13 @@ struct SavedState { // what is read before the world is touched
     Forces forces;
     Joints joints;
     Characters characters;
+    SavedFluids fluids;
     std::vector<bool> body_taken, shape_taken, piece_taken, force_taken, joint_taken;
 };
 
 namespace {
 
-// ---- tables ------------------------------------------------------------------------------------------------------
-
-constexpr std::size_t kLeastRow = 12; // bytes of the smallest row in any table, a piece's, with its number
-
-// Rising slot numbers, none so high that the table would be mostly air: a forged file may not ask for all memory.
-void read_table(Reader& ar, std::vector<bool>& taken, auto&& grow, auto&& read_row) {
-    std::size_t n = ar.count(0, kLeastRow);
-    grow(n); // as a rule there are no gaps
-    for (std::size_t i = 0; i < n && ar.ok; ++i) {
-        std::uint32_t slot = 0;
-        ar.value(slot);
-        if (slot < taken.size() || slot > (1u << 24)) ar.ok = false;
-        if (!ar.ok) return;
-        taken.resize(slot + 1, false);
-        taken[slot] = true;
-        if (slot >= n) grow(slot + 1);
-        read_row(slot);
-    }
-}
+// ---- the payload -------------------------------------------------------------------------------------------------
 
 void write_payload(auto& ar, const World& w) {
     visit(ar, w.gravity, w.sleep_allowed, w.steps, w.time);
@@ -126,6 +110,7 @@ void read_payload(Reader& ar, SavedState& s) {
     visit(ar, s.contacts.rows);
     visit(ar, s.events.hit_speed, s.events.lost);
     visit(ar, s.characters.rows);
+    read_fluids(ar, s.fluids);
     if (ar.ok) read_made(ar, s); // else the tables are not as long as they say
     ar.ok = ar.ok && ar.at_end();
 }
@@ -333,6 +318,7 @@ void restore(World& w, SavedState& s) {
     w.forces = std::move(s.forces);
     w.joints = std::move(s.joints);
     w.characters.rows = std::move(s.characters.rows);
+    restore_fluids(w.fluids, s.fluids);
 
     std::size_t n = w.bodies.slots.size();
     w.present.assign(n, {});
@@ -347,6 +333,7 @@ std::uint64_t checksum(const World& world) {
     HashWriter ar;
     write_payload(ar, world);
     if (!world.characters.rows.empty()) visit(ar, world.characters.rows); // a world without has the sum it always had
+    if (world.fluids.any()) write_fluids(ar, world.fluids);
     return ar.sum();
 }
 
@@ -354,6 +341,7 @@ std::size_t snapshot_size(const World& world) {
     Measure payload;
     write_payload(payload, world);
     visit(payload, world.characters.rows);
+    write_fluids(payload, world.fluids);
     write_made(payload, world);
     return kHead + payload.size() + kTail;
 }
@@ -366,6 +354,7 @@ void write_snapshot(const World& world, std::span<std::uint8_t> out) {
     head.count(payload.size());
     write_payload(body, world);
     visit(body, world.characters.rows);
+    write_fluids(body, world.fluids);
     write_made(body, world);
     assert(body.full());
     tail.value(hash(payload));
@@ -392,7 +381,7 @@ ReadSnapshot read_snapshot(std::span<const std::uint8_t> bytes) {
     read_payload(ar, *state);
     bool whole = ar.ok && shapes_hold_together(*state) && bodies_hold_together(*state) &&
                  forces_hold_together(*state) && joints_hold_together(*state) && contacts_hold_together(*state) &&
-                 hold_together(state->characters, state->body_taken);
+                 hold_together(state->characters, state->body_taken) && hold_together(state->fluids, state->body_taken);
     if (!whole) return {nullptr, SnapshotProblem::inconsistent};
     rebuild_pieces(*state);
     for (std::uint32_t body = 0; body < state->body_taken.size(); ++body)

@@ -106,6 +106,24 @@ inline void write_table(auto& ar, const Slots& slots, auto&& write_row) {
     }
 }
 
+inline constexpr std::size_t kLeastRow = 12; // bytes of the smallest row in any table, a piece's, with its number
+
+// Rising slot numbers, none so high that the table would be mostly air: a forged file may not ask for all memory.
+void read_table(Reader& ar, std::vector<bool>& taken, auto&& grow, auto&& read_row) {
+    std::size_t n = ar.count(0, kLeastRow);
+    grow(n); // as a rule there are no gaps
+    for (std::size_t i = 0; i < n && ar.ok; ++i) {
+        std::uint32_t slot = 0;
+        ar.value(slot);
+        if (slot < taken.size() || slot > (1u << 24)) ar.ok = false;
+        if (!ar.ok) return;
+        taken.resize(slot + 1, false);
+        taken[slot] = true;
+        if (slot >= n) grow(slot + 1);
+        read_row(slot);
+    }
+}
+
 inline void write_holes(auto& ar, const Shapes& shapes) { // few shapes have any
     auto has_some = [&](const auto& holes) { return !holes.empty(); };
     ar.count(static_cast<std::size_t>(std::ranges::count_if(shapes.holes, has_some)));

@@ -1,5 +1,5 @@
+#include "fluid/state.hpp"
 #include "snapshot.hpp"
-#include "state_fields.hpp"
 
 namespace evil {
 Sums sums(const World& world) {
@@ -10,6 +10,7 @@ Sums sums(const World& world) {
     write_forces(forces, world);
     write_joints(forces, world);
     if (!world.characters.rows.empty()) visit(bodies, world.characters.rows);
+    if (world.fluids.any()) write_fluids(forces, world.fluids);
     return {bodies.sum(), contacts.sum(), forces.sum()};
 }
 

@@ -13,6 +13,7 @@ void World::step(float dt, int substeps) {
     update_manifolds(contacts, placed, shapes, bodies, dt, instruction_set, threads); // exact: SAT, contact points
     drop_ghosts(seams, contacts, shapes, bodies);
     stir_media(forces, bodies, shapes);
+    step_fluids(*this, dt); // gas round the bodies and their push on each other
     wake_islands(solver, bodies, contacts, joints, forces);
     find_buried(buried, contacts, bodies);
     apply_media(forces, bodies, shapes, gravity, dt, media);

@@ -8,6 +8,7 @@
 #include "collider/seams.hpp"
 #include "collider/search.hpp"
 #include "door.hpp"
+#include "fluid/fluids.hpp"
 #include "forces/media.hpp"
 #include "published.hpp"
 #include "solver/buried.hpp"
@@ -44,6 +45,7 @@ struct World {
     Forces forces;
     Joints joints;
     Characters characters;
+    Fluids fluids;
 
     // Which kernels it runs on; the bits are the same with any
     InstructionSet instruction_set = best_instruction_set();

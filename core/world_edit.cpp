@@ -161,6 +161,7 @@ void destroy_body(World& world, std::uint32_t slot) {
     wake_touching(world, slot);
     drop_from_forces(world, slot);
     forget_character(world.characters, slot);
+    drop_sources_of(world, slot);
     drop_joints_of(world, slot);
     forget_contacts(world.events, world.contacts, world.shapes, world.bodies,
                     [slot](const Contact& c) { return c.body_a == slot || c.body_b == slot; });

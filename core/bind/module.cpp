@@ -28,4 +28,5 @@ NB_MODULE(_core, module) {
     evil::bind::register_light(module);
     evil::bind::register_mixer(module);
     evil::bind::register_collider(module);
+    evil::bind::register_smoke(module);
 }

@@ -27,5 +27,6 @@ void register_particles(nb::module_& module);
 void register_light(nb::module_& module);
 void register_mixer(nb::module_& module);
 void register_collider(nb::module_& module);
+void register_smoke(nb::module_& module);
 
 } // namespace evil::bind

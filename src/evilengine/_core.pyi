@@ -2222,3 +2222,251 @@ def manifolds_of_pairs(world: World, dt: float, wide: bool) -> list[tuple[int, i
     """
     For tests: pieces, axis, normal and points (anchor x and y, separation, id) of each contact, found eight at a time or one by one.
     """
+
+class FieldView:
+    """
+    A number, or two, for each cell of a smoke, rows from below: a float32 buffer that is not copied and may be written. `numpy.asarray(view)` works; `view[j, i]` is one cell.
+    """
+
+    @property
+    def shape(self) -> tuple: ...
+
+    def __len__(self) -> int: ...
+
+    def __getitem__(self, arg: tuple[int, int], /) -> object: ...
+
+    def __setitem__(self, at: tuple[int, int], value: object | None) -> None: ...
+
+class Smoke:
+    """A handle of a smoke: its slot and generation."""
+
+    def __init__(self, arg0: World, arg1: int, /) -> None: ...
+
+    @property
+    def alive(self) -> bool:
+        """False once it was destroyed, or restored away."""
+
+    @property
+    def slot(self) -> int:
+        """Row of this object in the world's arrays."""
+
+    @property
+    def generation(self) -> int:
+        """How often that row has been taken and freed."""
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __hash__(self) -> int: ...
+
+    def _bury(self, arg: int, /) -> None: ...
+
+    @property
+    def viscosity(self) -> float:
+        """m2/s: how thick it is; 0 costs nothing."""
+
+    @viscosity.setter
+    def viscosity(self, value: float, /) -> None: ...
+
+    @property
+    def diffusion(self) -> float:
+        """m2/s: how fast what it carries spreads by itself."""
+
+    @diffusion.setter
+    def diffusion(self, value: float, /) -> None: ...
+
+    @property
+    def buoyancy(self) -> float:
+        """How many times the world's gravity a temperature of 1 rises with."""
+
+    @buoyancy.setter
+    def buoyancy(self, value: float, /) -> None: ...
+
+    @property
+    def vorticity(self) -> float:
+        """How strongly small whirls are kept alive."""
+
+    @vorticity.setter
+    def vorticity(self, value: float, /) -> None: ...
+
+    @property
+    def cooling(self) -> float:
+        """Share of the heat that is lost a second, small shares."""
+
+    @cooling.setter
+    def cooling(self, value: float, /) -> None: ...
+
+    @property
+    def fade(self) -> float:
+        """Share of the density that is lost a second, small shares."""
+
+    @fade.setter
+    def fade(self, value: float, /) -> None: ...
+
+    @property
+    def burning(self) -> float:
+        """Share of the fuel that burns in a second, small shares."""
+
+    @burning.setter
+    def burning(self, value: float, /) -> None: ...
+
+    @property
+    def heat(self) -> float:
+        """Temperature that a unit of fuel gives."""
+
+    @heat.setter
+    def heat(self, value: float, /) -> None: ...
+
+    @property
+    def soot(self) -> float:
+        """Density that a unit of fuel leaves."""
+
+    @soot.setter
+    def soot(self, value: float, /) -> None: ...
+
+    @property
+    def weight(self) -> float:
+        """kg/m2: how hard it pushes bodies."""
+
+    @weight.setter
+    def weight(self, value: float, /) -> None: ...
+
+    @property
+    def wind_pull(self) -> float:
+        """Share of the difference to the wind that goes in a second."""
+
+    @wind_pull.setter
+    def wind_pull(self, value: float, /) -> None: ...
+
+    @property
+    def wind(self) -> evilengine.values.vec2.Vec2:
+        """m/s that it is drawn towards."""
+
+    @wind.setter
+    def wind(self, value: evilengine.values.vec2.Point, /) -> None: ...
+
+    def _density_at(self, arg: object, /) -> list: ...
+
+    def _temperature_at(self, arg: object, /) -> list: ...
+
+    def _velocity_at(self, arg: object, /) -> list: ...
+
+    @property
+    def mass(self) -> float:
+        """All the density in it, times its area in m2."""
+
+    @property
+    def density(self) -> FieldView:
+        """Smoke in each cell, (ny, nx) numbers."""
+
+    @property
+    def temperature(self) -> FieldView:
+        """Heat of each cell above what surrounds it, (ny, nx) numbers."""
+
+    @property
+    def fuel(self) -> FieldView:
+        """Fuel in each cell, (ny, nx) numbers."""
+
+    @property
+    def velocity(self) -> FieldView:
+        """m/s in the middle of each cell, (ny, nx, 2) numbers."""
+
+    @property
+    def cells(self) -> tuple[int, int]:
+        """How many cells it has, across and up."""
+
+    @property
+    def cell(self) -> float:
+        """Metres: the side of a cell."""
+
+    @property
+    def area(self) -> tuple[float, float, float, float]:
+        """Where it is: (left, bottom, right, top), in whole cells."""
+
+    @property
+    def _open(self) -> list[bool]: ...
+
+    @property
+    def _colour(self) -> tuple[float, float, float]: ...
+
+    @property
+    def _kind(self) -> tuple[int, int]: ...
+
+    def _stir(self, arg0: tuple[float, float], arg1: float, arg2: tuple[float, float], /) -> None: ...
+
+    def _sources(self) -> list[int]: ...
+
+    def _destroy(self) -> None: ...
+
+def add_smoke(world: World, *, nx: int, ny: int, low: tuple[float, float], cell: float, method: int, quality: int, open: Sequence[bool], side_speeds: Sequence[float], colour: tuple[float, float, float]) -> int: ...
+
+def smoke_slots(arg: World, /) -> list[int]: ...
+
+class Source:
+    """A handle of a source of smoke: its slot and generation."""
+
+    def __init__(self, arg0: World, arg1: int, /) -> None: ...
+
+    @property
+    def alive(self) -> bool:
+        """False once it was destroyed, or restored away."""
+
+    @property
+    def slot(self) -> int:
+        """Row of this object in the world's arrays."""
+
+    @property
+    def generation(self) -> int:
+        """How often that row has been taken and freed."""
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __hash__(self) -> int: ...
+
+    def _bury(self, arg: int, /) -> None: ...
+
+    @property
+    def rate(self) -> float:
+        """Density a second; negative: it takes away that share."""
+
+    @rate.setter
+    def rate(self, value: float, /) -> None: ...
+
+    @property
+    def fuel(self) -> float:
+        """Fuel a second."""
+
+    @fuel.setter
+    def fuel(self, value: float, /) -> None: ...
+
+    @property
+    def temperature(self) -> float:
+        """What it heats to; 0: it heats nothing."""
+
+    @temperature.setter
+    def temperature(self, value: float, /) -> None: ...
+
+    @property
+    def velocity(self) -> object:
+        """
+        m/s that gas in it is given, beside its body's own; None: it leaves the gas as it moves.
+        """
+
+    @velocity.setter
+    def velocity(self, value: evilengine.values.vec2.Point | None, /) -> None: ...
+
+    @property
+    def running(self) -> bool:
+        """Does it give anything now?"""
+
+    @running.setter
+    def running(self, value: bool, /) -> None: ...
+
+    @property
+    def _body(self) -> int: ...
+
+    @property
+    def _colour(self) -> tuple[float, float, float]: ...
+
+    def _destroy(self) -> None: ...
+
+def add_source(world: World, *, smoke: int, body: int, shape: ShapeSpec, at: object, angle: float, rate: float, fuel: float, temperature: float, velocity: object | None, colour: tuple[float, float, float]) -> int: ...

@@ -1,0 +1,36 @@
+#pragma once
+// The fluids of a world: what it knows of them. What one is, is in headers of its own, which few include.
+#include "refs.hpp"
+#include <memory>
+#include <vector>
+
+namespace evil {
+
+struct World;
+using SmokeRef = Ref<struct SmokeTag>;
+using SourceRef = Ref<struct SourceTag>;
+
+namespace fluid {
+struct Smoke;
+struct Source;
+} // namespace fluid
+
+struct Fluids { // State: rows by slot
+    Fluids();
+    ~Fluids();
+    Slots smoke_slots, source_slots;
+    std::vector<std::unique_ptr<fluid::Smoke>> smokes;
+    std::vector<fluid::Source> sources; // of all of them
+    std::uint64_t next_serial = 0;
+    bool any() const { return smoke_slots.count() > 0; }
+};
+
+// One step of all of them: bodies are in their way, push and are pushed, before the solver moves the bodies.
+void step_fluids(World& world, float dt);
+
+void drop_sources_of(World& world, std::uint32_t body); // a body goes, and what it carried
+
+// For whoever saves: between two steps, velocities that were written from outside are taken over.
+void settle_fluids(World& world);
+
+} // namespace evil

@@ -1,0 +1,90 @@
+#include "fluid/scratch.hpp"
+#include "fluid/state.hpp"
+#include <algorithm>
+
+namespace evil {
+namespace {
+
+using fluid::Smoke;
+
+bool sensible(const Smoke& s) {
+    auto length = [](int n) { return n >= fluid::kLeastCells && n <= fluid::kMostCells; };
+    return length(s.grid.nx) && length(s.grid.ny) && s.grid.h > 0.0f && s.method <= fluid::Method::stam &&
+           s.quality <= fluid::Quality::high;
+}
+
+std::unique_ptr<Smoke> read_smoke(Reader& ar) {
+    Smoke kind;
+    visit_kind(ar, kind);
+    const std::size_t cells = ar.count(0, 12), coloured = ar.count(0, 4);
+    ar.ok = ar.ok && sensible(kind) && cells == kind.grid.cells() && (coloured == 0 || coloured == 4 * cells);
+    if (!ar.ok) return nullptr;
+    const fluid::Grid grid = fluid::grid_of(kind.grid.nx, kind.grid.ny, kind.grid.low, kind.grid.h);
+    std::unique_ptr<Smoke> smoke = fluid::make_smoke(grid, kind.method);
+    smoke->quality = kind.quality, smoke->open = kind.open, smoke->side_speeds = kind.side_speeds;
+    smoke->gas = kind.gas, smoke->colour = kind.colour, smoke->serial = kind.serial, smoke->born = kind.born;
+    smoke->views->colour.resize(coloured);
+    visit_content(ar, *smoke);
+    return smoke;
+}
+
+} // namespace
+
+void read_fluids(Reader& ar, SavedFluids& s) {
+    Fluids& all = s.fluids;
+    ar.value(all.next_serial);
+    read_table(
+        ar, s.smoke_taken, [&](std::size_t n) { all.smokes.resize(n); },
+        [&](std::uint32_t slot) { all.smokes[slot] = read_smoke(ar); });
+    read_table(
+        ar, s.source_taken, [&](std::size_t n) { all.sources.resize(n); },
+        [&](std::uint32_t slot) { visit(ar, all.sources[slot]); });
+}
+
+bool hold_together(const SavedFluids& s, const std::vector<bool>& body_taken) {
+    auto taken = [](const std::vector<bool>& list, std::uint32_t slot) { return slot < list.size() && list[slot]; };
+    for (std::uint32_t i = 0; i < s.smoke_taken.size(); ++i)
+        if (s.smoke_taken[i] && s.fluids.smokes[i]->serial >= s.fluids.next_serial) return false;
+    for (std::uint32_t i = 0; i < s.source_taken.size(); ++i) {
+        if (!s.source_taken[i]) continue;
+        const fluid::Source& source = s.fluids.sources[i];
+        if (!taken(s.smoke_taken, source.smoke) || source.serial >= s.fluids.next_serial) return false;
+        if (source.body != kNone && !taken(body_taken, source.body)) return false;
+        if (!(source.area.radius > 0.0f) && source.area.parts.empty()) return false;
+        for (const auto& part : source.area.parts)
+            if (part.size() < 3) return false;
+    }
+    return true;
+}
+
+void restore_fluids(Fluids& now, SavedFluids& saved) {
+    Fluids& then = saved.fluids;
+    auto same_smoke = [&](std::uint32_t i) {
+        return i < now.smokes.size() && now.smokes[i] && saved.smoke_taken[i] &&
+               now.smokes[i]->serial == then.smokes[i]->serial && now.smokes[i]->born == then.smokes[i]->born;
+    };
+    auto same_source = [&](std::uint32_t i) {
+        return now.source_slots.taken(i) && saved.source_taken[i] && now.sources[i].serial == then.sources[i].serial &&
+               now.sources[i].born == then.sources[i].born;
+    };
+    std::vector<bool> smokes(saved.smoke_taken.size()), sources(saved.source_taken.size());
+    for (std::uint32_t i = 0; i < smokes.size(); ++i) {
+        smokes[i] = same_smoke(i);
+        if (!smokes[i] || now.smokes[i]->views->content.size() != then.smokes[i]->views->content.size()) continue;
+        fluid::Views &shown = *now.smokes[i]->views, &read = *then.smokes[i]->views;
+        std::ranges::copy(read.content, shown.content.begin());
+        std::ranges::copy(read.velocity, shown.velocity.begin());
+        shown.colour = std::move(read.colour);
+        then.smokes[i]->views = now.smokes[i]->views;
+    }
+    for (std::uint32_t i = 0; i < sources.size(); ++i) sources[i] = same_source(i);
+    now.smoke_slots.restore(saved.smoke_taken, smokes);
+    now.source_slots.restore(saved.source_taken, sources);
+    now.smokes = std::move(then.smokes);
+    now.sources = std::move(then.sources);
+    now.smokes.resize(now.smoke_slots.size());
+    now.sources.resize(now.source_slots.size());
+    now.next_serial = then.next_serial;
+}
+
+} // namespace evil
