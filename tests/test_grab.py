@@ -35,7 +35,9 @@ class Table:
         told = []
         for _ in range(steps):
             self.interaction.collect(self.device.poll())
-            inputs = self.interaction.snapshot(lambda pixel: Vec2((pixel.x - 480) / 50, (270 - pixel.y) / 50), DT)
+            inputs = self.interaction.snapshot(
+                lambda pixel, began=None: Vec2((pixel.x - 480) / 50, (270 - pixel.y) / 50), DT
+            )
             told += [(body, touch.phase) for body, touch in self.grabs.update(inputs, self.world)]
             self.world.step(DT)
         return told

@@ -20,7 +20,7 @@ class Player:
         self.interaction = Interaction()
         self.camera = Vec2(0, 0)
 
-    def to_world(self, pixel: Vec2) -> Vec2:
+    def to_world(self, pixel: Vec2, began: Vec2 | None = None) -> Vec2:
         return self.camera + Vec2((pixel.x - 480) / 50, -(pixel.y - 270) / 50)
 
     def frame(self, steps: int = 1) -> list[Inputs]:

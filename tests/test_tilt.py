@@ -23,7 +23,7 @@ class Held:
     def step(self, steps: int = 1, dt: float = 1 / 60) -> Tilt:
         for _ in range(steps):
             self.interaction.collect(self.device.poll())
-            tilt = self.interaction.snapshot(lambda pixel: pixel, dt).tilt
+            tilt = self.interaction.snapshot(lambda pixel, began=None: pixel, dt).tilt
         return tilt
 
     def shakes(self, steps: int = 1) -> int:
@@ -218,7 +218,7 @@ def test_the_same_play_gives_the_same_bits_whatever_frames_it_came_in():
         device.wheel(3)
         for steps in frames:
             interaction.collect(device.poll())
-            seen += [interaction.snapshot(lambda pixel: pixel).tilt.direction for _ in range(steps)]
+            seen += [interaction.snapshot(lambda pixel, began=None: pixel).tilt.direction for _ in range(steps)]
         return seen
 
     assert play([1] * 12) == play([0, 3, 0, 5, 4])

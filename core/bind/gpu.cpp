@@ -55,22 +55,28 @@ nb::dict settings_of(const draw::Post& post) {
 // Ids of pictures count up and are never given out twice, so a released one can never turn into another.
 class Batcher {
 public:
+    Batcher another() const {
+        Batcher result;
+        result.held_ = held_;
+        return result;
+    }
+
     std::uint32_t hold() {
-        held_.push_back(true);
-        return static_cast<std::uint32_t>(held_.size() - 1);
+        held_->push_back(true);
+        return static_cast<std::uint32_t>(held_->size() - 1);
     }
     void drop(std::uint32_t texture) {
-        if (texture >= held_.size() || !held_[texture])
+        if (texture >= held_->size() || !(*held_)[texture])
             raise(ErrorKind::argument, "Renderer.release: texture=" + std::to_string(texture) +
                                            " is not one that upload() gave and that is still held");
-        held_[texture] = false;
+        (*held_)[texture] = false;
     }
 
     nb::list collect(const draw::DrawList& list, int width, int height) {
         if (frame_.use_count() > 1) frame_ = std::make_shared<gpu::Frame>();
         if (shapes_.use_count() > 1) shapes_ = std::make_shared<gpu::Shapes>(*shapes_);
         post_ = list.interludes.post;
-        gpu::collect(*frame_, *shapes_, scratch_, list, held_, width, height);
+        gpu::collect(*frame_, *shapes_, scratch_, list, *held_, width, height);
         frame_->edges.resize((frame_->edges.size() + gpu::kRow - 1) / gpu::kRow * gpu::kRow); // uploaded by whole rows
         nb::list batches;
         for (const gpu::Batch& batch : frame_->batches) {
@@ -97,8 +103,8 @@ private:
     std::shared_ptr<gpu::Frame> frame_ = std::make_shared<gpu::Frame>();
     std::shared_ptr<gpu::Shapes> shapes_ = std::make_shared<gpu::Shapes>();
     gpu::Scratch scratch_;
-    draw::Post post_;                               // of the frame
-    std::vector<bool> held_ = std::vector<bool>(1); // id 0 is no texture
+    draw::Post post_;                                                                  // of the frame
+    std::shared_ptr<std::vector<bool>> held_ = std::make_shared<std::vector<bool>>(1); // id 0 is no texture
 };
 
 // The picture and its smaller copies, each half as wide and high, colours multiplied with alpha: those `soft` draws from.
@@ -121,6 +127,7 @@ void register_gpu(nb::module_& module) {
         .def("__len__", [](const Memory& memory) { return memory.size; });
     nb::class_<Batcher>(module, "Batcher", "Draw lists as quads for a graphics card, in few draw calls.")
         .def(nb::init<>())
+        .def("another", &Batcher::another, "One more of the same pictures, which keeps another list's meshes.")
         .def("hold", &Batcher::hold, "The id of one more picture.")
         .def("drop", &Batcher::drop, nb::arg("texture"), "Draw what names this picture without one from now on.")
         .def("collect", &Batcher::collect, nb::arg("list"), nb::arg("width"), nb::arg("height"),

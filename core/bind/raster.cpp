@@ -2,9 +2,15 @@
 #include "bind/bytes.hpp"
 #include "draw/draw_list.hpp"
 #include "raster/renderer.hpp"
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/tuple.h>
+#include <optional>
+#include <tuple>
 
 namespace evil::bind {
 namespace {
+
+using Part = std::tuple<int, int, int, int>; // left, top, width, height
 
 // Ids count up and are never given out twice, so a released texture can never turn into another.
 class Raster {
@@ -29,14 +35,15 @@ public:
     }
 
     // Holds the GIL: the list, the textures and the pixels all belong to Python, and another thread could change them.
-    void draw(const draw::DrawList& list, nb::handle pixels, long width, long height, std::uint32_t background,
-              const std::string& instructions) {
+    void draw(const draw::DrawList& list, nb::handle pixels, long width, long height,
+              std::optional<std::uint32_t> background, const std::string& instructions, std::optional<Part> part) {
         Bytes bytes(pixels, true, "Raster.draw", "pixels");
         check_picture(bytes, width, height, "Raster.draw");
         if (reinterpret_cast<std::uintptr_t>(bytes.data()) % alignof(raster::Pixel) != 0)
             raise(ErrorKind::argument, "Raster.draw: pixels must start at a multiple of four bytes");
         raster::Target target{reinterpret_cast<raster::Pixel*>(bytes.data()), static_cast<int>(width),
-                              static_cast<int>(height)};
+                              static_cast<int>(height), static_cast<int>(width)};
+        if (part) target = part_of(target, *part);
         raster::render(list, background, textures_, target, scratch_, to_set(instructions));
     }
 
@@ -45,6 +52,16 @@ private:
         if (texture >= textures_.size() || textures_[texture].levels.empty())
             raise(ErrorKind::argument, std::string(owner) + ": texture=" + std::to_string(texture) +
                                            " is not one that upload() gave and that is still held");
+    }
+
+    static raster::Target part_of(raster::Target target, const Part& part) {
+        const auto [left, top, width, height] = part;
+        const bool inside = left >= 0 && top >= 0 && width >= 1 && height >= 1 && width <= target.width &&
+                            height <= target.height && left <= target.width - width && top <= target.height - height;
+        if (!inside) raise(ErrorKind::argument, "Raster.draw: part must lie within the picture");
+        target.pixels = raster::row_of(target, top) + left;
+        target.width = width, target.height = height;
+        return target;
     }
 
     static InstructionSet to_set(const std::string& instructions) {
@@ -84,10 +101,10 @@ void register_raster(nb::module_& module) {
         .def("update", &Raster::update, nb::arg("texture"), nb::arg("pixels"), nb::arg("width"), nb::arg("height"),
              "Put another picture, of any size, under the same id.")
         .def("release", &Raster::release, nb::arg("texture"), "Forget a picture.")
-        .def(
-            "draw", &Raster::draw, nb::arg("list"), nb::arg("pixels"), nb::arg("width"), nb::arg("height"),
-            nb::arg("background") = 0xff000000u, nb::arg("instructions") = "",
-            "Draw into `pixels`, rows of r, g, b, a multiplied with alpha; `instructions` forces one instruction set.");
+        .def("draw", &Raster::draw, nb::arg("list"), nb::arg("pixels"), nb::arg("width"), nb::arg("height"),
+             nb::arg("background").none() = 0xff000000u, nb::arg("instructions") = "", nb::arg("part") = nb::none(),
+             "Draw into `pixels`, rows of r, g, b, a multiplied with alpha, over what is there if background is None; "
+             "`instructions` forces one instruction set, and `part` is the left, top, width and height drawn into.");
     module.def("unpremultiply", &unpremultiply, nb::arg("pixels"),
                "Turn pixels multiplied with alpha into straight ones, in place.");
 }

@@ -23,6 +23,7 @@ namespace {
 using namespace draw;
 
 constexpr const char* kOwner = "Scene.add";
+constexpr std::uint32_t kMostLists = 64;
 
 using Reference = std::tuple<std::uint32_t, std::uint32_t>; // slot, generation
 using MaybeReference = std::optional<Reference>;
@@ -169,6 +170,21 @@ std::shared_ptr<DrawList> collect_frame(SceneBox& box, const World& world, const
     const float part = part_of_step(alpha);
     const double now = static_cast<double>(world.steps) + static_cast<double>(part) - 1.0;
     collect(box.scene, world.poses(), world.shapes, to_affine(view), part, now, points, *box.list);
+    box.overlay.emplace(begin_overlay(*box.list));
+    return box.list;
+}
+
+// What follows fills that list; there may be one for each view of the scene.
+void aim(SceneBox& box, std::uint32_t number) {
+    if (number >= kMostLists) raise(ErrorKind::argument, "Scene.aim: there are not so many lists");
+    while (box.lists.size() <= number) box.lists.push_back(std::make_shared<DrawList>());
+    box.list = box.lists[number];
+    box.overlay.reset();
+}
+
+// A frame of nothing, for what lies over several views.
+std::shared_ptr<DrawList> begin_empty(SceneBox& box) {
+    clear(*box.list);
     box.overlay.emplace(begin_overlay(*box.list));
     return box.list;
 }
@@ -397,6 +413,8 @@ void register_scene(nb::module_& module) {
              nb::arg("filmic"), nb::arg("tint"), "What is done to all that the frame has so far.")
         .def("collect", &collect_frame, world, view, alpha, points,
              "The frame at alpha (0..1) between the last two steps; good until the next one.")
+        .def("aim", &aim, nb::arg("number"), "What follows fills the list of that number, from 0 on.")
+        .def("empty", &begin_empty, "A frame without drawings, for what lies over several views.")
         .def("debug", &debug_frame, world, view, alpha, points, nb::arg("inks"), nb::arg("parts"),
              "Put the debug view on top of the collected frame; the numbers of bodies, sleepers, contacts, joints, "
              "islands.")

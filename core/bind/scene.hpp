@@ -14,9 +14,10 @@ namespace evil::bind {
 
 struct SceneBox { // what Python holds
     draw::Scene scene;
-    std::shared_ptr<draw::DrawList> list = std::make_shared<draw::DrawList>();
-    std::optional<draw::Overlay> overlay; // of the frame being collected
-    std::vector<draw::Glyph> glyphs;      // scratch
+    std::vector<std::shared_ptr<draw::DrawList>> lists{std::make_shared<draw::DrawList>()};
+    std::shared_ptr<draw::DrawList> list = lists[0]; // the one that is filled
+    std::optional<draw::Overlay> overlay;            // of the frame being collected
+    std::vector<draw::Glyph> glyphs;                 // scratch
 };
 
 using Matrix6 = std::tuple<float, float, float, float, float, float>; // a b c d tx ty

@@ -68,6 +68,7 @@ struct DrawList {
     std::vector<LayerStart> layers;  // those that have instances, back to front
     Interludes interludes;           // between the instances
     light::LightMap light;
+    std::uint64_t copied_meshes = ~0ull; // revision of the scene's meshes that it holds
 };
 
 inline void clear(DrawList& list) { // keeps the memory for the next frame
@@ -79,6 +80,7 @@ inline void clear(DrawList& list) { // keeps the memory for the next frame
     list.layers.clear();
     list.interludes.clear();
     list.light.on = false;
+    list.copied_meshes = ~0ull;
 }
 
 // Whether everything that the mesh names is there: a renderer draws nothing else.

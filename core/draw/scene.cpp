@@ -98,12 +98,12 @@ void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affin
         std::ranges::sort(scene.order, {}, [&](DrawingRef ref) { return depth(scene.drawings[ref.slot]); });
     scene.sorted = true;
 
-    if (scene.copied_meshes != scene.meshes.revision()) {
+    if (out.copied_meshes != scene.meshes.revision()) {
         out.vertices = scene.meshes.vertices();
         out.indices = scene.meshes.indices();
         out.holes = scene.meshes.holes();
         out.meshes = scene.meshes.meshes();
-        scene.copied_meshes = scene.meshes.revision();
+        out.copied_meshes = scene.meshes.revision();
     }
     out.vertices.resize(scene.meshes.vertices().size()); // what an overlay added last frame goes
     out.indices.resize(scene.meshes.indices().size());

@@ -38,8 +38,7 @@ struct Scene { // State
     std::vector<DrawingRef> order; // back to front; removed ones leave at the next collect()
     bool sorted = true;            // `order` follows layer and serial
     std::uint64_t next_serial = 0;
-    std::vector<LayerLook> looks;        // of this frame: layers that are not seen as the world is
-    std::uint64_t copied_meshes = ~0ull; // revision of the meshes that the list given to collect() has
+    std::vector<LayerLook> looks; // of this frame: layers that are not seen as the world is
 };
 
 // The drawing takes over one use of its mesh. Serial is given here.
@@ -49,7 +48,7 @@ void set_layer(Scene& scene, DrawingRef drawing, std::int32_t layer);
 
 // One frame: where things are at `alpha` (0..1) between the last two steps, seen through `view` (world to pixels).
 // Drawings whose body or shape is gone are removed. `now`: the world's steps at
-// that moment. `points`: pixels of a logical point. `out` must be the same list every time: meshes
+// that moment. `points`: pixels of a logical point. `out` must be a list of this scene alone: meshes
 // are copied into it only when they changed. No allocation once the vectors have grown.
 void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affine& view, float alpha, double now,
              float points, DrawList& out);

@@ -146,9 +146,10 @@ void do_interlude(const draw::Interludes& all, const draw::Interlude& one, const
 
 } // namespace
 
-void render(const draw::DrawList& list, draw::Rgba8 background, std::span<const Texture> textures, const Target& target,
-            Scratch& scratch, Set set) {
-    for (int y = 0; y < target.height; ++y) fill(set, row_of(target, y), target.width, premultiply(background));
+void render(const draw::DrawList& list, std::optional<draw::Rgba8> background, std::span<const Texture> textures,
+            const Target& target, Scratch& scratch, Set set) {
+    for (int y = 0; background && y < target.height; ++y)
+        fill(set, row_of(target, y), target.width, premultiply(*background));
     const std::size_t room = static_cast<std::size_t>(target.width) + 4 * kBlock;
     if (scratch.mask.size() < room) scratch.mask.resize(room);
     if (scratch.row.size() < room) scratch.row.resize(room);

@@ -10,6 +10,7 @@
 #include "raster/pyramid.hpp"
 #include "raster/target.hpp"
 #include "raster/texture.hpp"
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,11 +26,11 @@ struct Scratch { // losing it changes nothing
     Pyramid pyramid;
 };
 
-// Fills the target with `background` (straight colour) and draws the instances in their order. Textures are found by id;
+// Fills the target with `background` (straight colour), if there is one, and draws the instances in their order. Textures are found by id;
 // ids without one draw as if there were none. Instances whose indices do not fit the list, or whose positions are not
 // finite, draw nothing.
-void render(const draw::DrawList& list, draw::Rgba8 background, std::span<const Texture> textures, const Target& target,
-            Scratch& scratch, Set set = best_instruction_set());
+void render(const draw::DrawList& list, std::optional<draw::Rgba8> background, std::span<const Texture> textures,
+            const Target& target, Scratch& scratch, Set set = best_instruction_set());
 
 // Pixels multiplied with alpha, as straight ones.
 void unpremultiply(std::span<Pixel> pixels) noexcept;

@@ -304,7 +304,7 @@ void speck_wide(const raster::Target& target, const raster::SpeckPaint& paint) n
     const int count = paint.box.right - paint.box.left;
     for (int y = paint.box.top; y < paint.box.bottom; ++y) {
         const float down = static_cast<float>(y - paint.box.top);
-        Pixel* row = target.pixels + static_cast<std::int64_t>(y) * target.width + paint.box.left;
+        Pixel* row = row_of(target, y) + paint.box.left;
         for (int i = 0; i < count; i += 8) {
             const Floats across = lanes + static_cast<float>(i);
             const Ints cover = cover_of_speck(across * paint.u_x + (paint.u + down * paint.u_y),

@@ -10,14 +10,15 @@ namespace evil::raster {
 using Pixel = std::uint32_t;
 
 struct Target {
-    Pixel* pixels = nullptr; // rows from the top, without gaps
+    Pixel* pixels = nullptr; // rows from the top
     int width = 0, height = 0;
+    int stride = 0; // pixels from one row to the next: more than the width for a part of a larger picture
 };
 
 inline constexpr int kMaxSide = 16384; // pixels; a position in 24.8 fixed point times a slope still fits 64 bits
 
 inline Pixel* row_of(const Target& target, int y) {
-    return target.pixels + static_cast<std::size_t>(y) * static_cast<std::size_t>(target.width);
+    return target.pixels + static_cast<std::size_t>(y) * static_cast<std::size_t>(target.stride);
 }
 
 struct Box { // whole pixels: left and top are inside, right and bottom are not

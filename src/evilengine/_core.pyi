@@ -1737,9 +1737,9 @@ class Raster:
     def release(self, texture: int) -> None:
         """Forget a picture."""
 
-    def draw(self, list: DrawList, pixels: object, width: int, height: int, background: int = 4278190080, instructions: str = '') -> None:
+    def draw(self, list: DrawList, pixels: object, width: int, height: int, background: int | None = 4278190080, instructions: str = '', part: tuple[int, int, int, int] | None = None) -> None:
         """
-        Draw into `pixels`, rows of r, g, b, a multiplied with alpha; `instructions` forces one instruction set.
+        Draw into `pixels`, rows of r, g, b, a multiplied with alpha, over what is there if background is None; `instructions` forces one instruction set, and `part` is the left, top, width and height drawn into.
         """
 
 def unpremultiply(pixels: object) -> None:
@@ -1754,6 +1754,9 @@ class Batcher:
     """Draw lists as quads for a graphics card, in few draw calls."""
 
     def __init__(self) -> None: ...
+
+    def another(self) -> Batcher:
+        """One more of the same pictures, which keeps another list's meshes."""
 
     def hold(self) -> int:
         """The id of one more picture."""
@@ -1930,6 +1933,12 @@ class Scene:
         """
         The frame at alpha (0..1) between the last two steps; good until the next one.
         """
+
+    def aim(self, number: int) -> None:
+        """What follows fills the list of that number, from 0 on."""
+
+    def empty(self) -> DrawList:
+        """A frame without drawings, for what lies over several views."""
 
     def debug(self, world: World, view: tuple[float, float, float, float, float, float], alpha: float, points: float, inks: Sequence[int], parts: Sequence[bool]) -> tuple[int, int, int, int, int]:
         """

@@ -22,7 +22,7 @@ from evilengine.game.things import Things
 from evilengine.platform import Device, HeadlessDevice
 from evilengine.renderer import open_renderer
 from evilengine.save import Functions, Recorder, Replay, Slots
-from evilengine.scene import Camera, DrawnBody, Panel, Scene
+from evilengine.scene import Camera, DrawnBody, Panel, Scene, Views, collect_views
 from evilengine.timer import Clock, Schedule
 from evilengine.values.callbacks import Callbacks
 from evilengine.values.checks import known_keywords, make_up, number
@@ -104,7 +104,8 @@ class Game(Life, GameScreen, Controls, Things):
         # Last: nothing after it can leave a window behind.
         self.device = device or open_device(title, size, headless, gl=renderer != "soft")
         self.renderer.attach(self.device.surface)
-        self.camera.size = self.device.size
+        self.views = Views(self.camera, self.device.size)
+        """The parts of the window that show the world; the first is the camera's, and covers all of it. See View."""
         self._pictures = Pictures(self.renderer, Images(self.folder, Path.cwd()), scale=self.device.scale)
         self.scene = Scene(self.world, textures=self._pictures.texture, fonts=self._pictures.font)
         self.panel = Panel(lambda: self._inputs.pointer)
@@ -147,7 +148,7 @@ class Game(Life, GameScreen, Controls, Things):
         tick = self._clock.hold(now) if self.paused else self._clock.advance(now, self.speed)
         asked = self._press_window_keys(self._listen())
         if self.paused:
-            self._inputs = self._interaction.snapshot(self.camera.to_world, 0.0)  # nothing waits for the pause to end
+            self._inputs = self._interaction.snapshot(self.views.to_world, 0.0)  # nothing waits for the pause to end
         for _ in range(tick.steps):
             if self.paused or not self.running:
                 break
@@ -182,7 +183,7 @@ class Game(Life, GameScreen, Controls, Things):
                 self.quit()
             elif isinstance(event, ResizeEvent):
                 if self._playback is None or self._playback.over:
-                    self.camera.size = event.size
+                    self.views.size = event.size
                 self._pictures.scale = self.device.scale
             self.on_event.run(event)
             for watch in tuple(self._watchers):
@@ -205,7 +206,7 @@ class Game(Life, GameScreen, Controls, Things):
                 self._turn_gravity(self._inputs.tilt.direction)
             self.world.step(STEP)
             self.scene.step()
-            self.camera.step()
+            self.views.step()
         finally:
             self._busy = ""
         self._note_step()
@@ -214,11 +215,11 @@ class Game(Life, GameScreen, Controls, Things):
 
     def _inputs_of_step(self) -> Inputs:
         """What the player does, or did when this was recorded."""
-        inputs = self._interaction.snapshot(self.camera.to_world, STEP)
+        inputs = self._interaction.snapshot(self.views.to_world, STEP)
         if self._playback is not None and not self._playback.over:
             inputs = self._playback.begin_step()
         if self._recorder is not None:
-            self._recorder.begin_step(inputs, self.camera.size)
+            self._recorder.begin_step(inputs, self.views.size)
         return inputs
 
     def _note_step(self) -> None:
@@ -242,7 +243,7 @@ class Game(Life, GameScreen, Controls, Things):
 
     def _collect(self, *, overlay: bool = True) -> DrawList:
         device = self.device
-        return self.scene.collect(self.camera, self._alpha, device.pixel_size, device.scale, overlay=overlay)
+        return collect_views(self.scene, self.views, self._alpha, device.pixel_size, device.scale, overlay=overlay)
 
     def _hear(self, *, paused: bool = False) -> None:
         self.audio.update(Listener(self.camera.position, self.camera.angle), paused=paused, tempo=self.speed)

@@ -68,7 +68,7 @@ def record(game: Game, path: Path, *, level: bool = False) -> Recorder:
     header: dict[str, Any] = {
         "engine": VERSION,
         "title": game.title,
-        "size": [round(side) for side in game.camera.size],
+        "size": [round(side) for side in game.views.size],
         "of": LEVEL if level else PROGRAM,
         "hash": "",
     }
@@ -122,8 +122,8 @@ class Playback:
         self._step = step = self.replay.steps[self._made]
         self._made += 1
         self._between = list(step.between)
-        if step.size != self._game.camera.size:
-            self._game.camera.size = step.size
+        if step.size != self._game.views.size:
+            self._game.views.size = step.size
         return step.inputs
 
     def end_step(self) -> None:

@@ -97,7 +97,7 @@ def to_bytes(game: Game, origin: str = "") -> bytes:
         "paused": game.paused,
         "tilted": tilted,
         "strength": game._strength,
-        "camera": looks.camera_state(game.camera),
+        "views": game.views.state(),
         "scene": scene,
         "emitters": emitters,
         "timer": timers.state_of(game.timer, lambda call, where: name_of(call, f"game.timer, {where}")),
@@ -192,7 +192,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
     interaction = game._interaction.read(state["interaction"])
     heard = sounds.read(game.audio, state["audio"], bodies)
     grabs = game._grabs.read(state["grabs"], game.world, bodies)
-    camera = looks.read_camera(game.camera, state["camera"], bodies)
+    views = game.views.read(state["views"], bodies)
     dice, inputs = _read_random(sections["random"]), inputs_code.decode(sections["inputs"])
     tilted = None
     if state["tilted"] is not None:
@@ -234,7 +234,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
         interaction()
         grabs()
         heard(game.world._body)
-        camera(game.world._body)
+        views(game.world._body)
         game.random.setstate(dice)
         game._inputs, game._alpha = inputs, 1.0
         game.tilt, game.paused, game._tilted, game._strength = tilt, paused, tilted, strength

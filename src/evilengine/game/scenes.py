@@ -9,6 +9,7 @@ from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any, TypeVar, overload
 
 from evilengine.save.replay import Visited
+from evilengine.scene.views import Note
 from evilengine.values.callbacks import Callbacks
 from evilengine.values.checks import did_you_mean, one_of
 from evilengine.values.colour import Colour
@@ -57,11 +58,8 @@ class Settings:
     sleep: bool
     tilt: bool
     background: Colour
-    camera: tuple[Vec2, float, float]
-    fit: tuple[float, float] | None
-    """What the camera must show, in metres."""
-    bounds: tuple[float, float, float, float] | None
-    """What of the world it may show."""
+    views: tuple[Note, ...]
+    """What each view shows, and where."""
     air: tuple[dict[str, Any], dict[str, Any]]
     """How layers are seen, and what is done to the picture."""
 
@@ -204,10 +202,10 @@ def begin(game: Game, to: Visit) -> None:
 def settings_of(game: Game) -> Settings:
     """What the game was told about itself, noted when a level is about to change it, or when the game begins."""
     if game.scenes._settings is None:
-        camera, world = game.camera, game.world
+        world = game.world
         game.scenes._settings = Settings(
             world.gravity, world.sleep, game.tilt, game.scene.background,
-            (camera.position, camera.zoom, camera.angle), camera._fit, camera.bounds,
+            game.views.notes(),
             (game.scene.layers.state(), game.scene.post.state()),
         )  # fmt: skip
     return game.scenes._settings
@@ -227,7 +225,7 @@ def clear(game: Game, to: Visit | None) -> None:
 
     What the game was told before its first step (or scene) stays: that is the game's own, not a scene's.
     """
-    scenes, camera = game.scenes, game.camera
+    scenes = game.scenes
     game._grabs.let_go()
     begins(game)
     for level in tuple(game.levels):
@@ -240,8 +238,7 @@ def clear(game: Game, to: Visit | None) -> None:
     game.timer.clear()
     own = settings_of(game)
     game.world.gravity, game.world.sleep, game.scene.background = own.gravity, own.sleep, own.background
-    camera._rest()
-    (camera.position, camera.zoom, camera.angle), camera._fit, camera._bounds = own.camera, own.fit, own.bounds
+    game.views.become(own.views)
     layers, post = own.air
     game.scene.layers.become(game.scene.layers.read(layers))
     game.scene.post.become(game.scene.post.read(post))

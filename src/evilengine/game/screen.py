@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
 from evilengine.game.timings import Timings
-from evilengine.scene import Scene, Text
+from evilengine.scene import Scene, Text, View
 from evilengine.values.checks import known_keywords
 from evilengine.values.errors import ArgumentTypeError, AssetError, Error
 from evilengine.values.events import Event, KeyEvent, key_name
@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
     from evilengine.game.game import Game
     from evilengine.platform import Device
+    from evilengine.scene.camera_work import Followed
+    from evilengine.values.vec2 import Point
 
 NOTICE_SECONDS = 3.0
 """How long the screen says where a picture was saved."""
@@ -107,6 +109,50 @@ class GameScreen:
         game = cast("Game", self)
         game.renderer.draw(game._collect(overlay=False))
         return game.renderer.capture()
+
+    @known_keywords
+    def add_view(
+        self,
+        area: str | Iterable[float],
+        *,
+        follow: Followed | None = None,
+        position: Point | None = None,
+        zoom: float | None = None,
+        angle: float | None = None,
+        view_height: float | None = None,
+    ) -> View:
+        """Show the world in one more part of the window, by a camera of its own, over the views that there are.
+
+        `area` is left, bottom, right, top as shares of the window (0..1), or a word: "left", "top right", ... The
+        camera keeps what it shall `follow` in sight; `position`, `zoom`, `angle` and `view_height` are as a Camera has
+        them, and what is not said is as with the game's own. Lights, layers and what is done to the picture are seen
+        in each view by itself; text and panels lie over all of them.
+
+        >>> game = evil.Game(headless=True)
+        >>> ball = game.add(evil.Circle(0.5), at=(0, 3))
+        >>> view = game.add_view((0.7, 0.7, 1, 1), follow=ball, zoom=0.5)
+        >>> len(game.views), view.camera.position
+        (2, Vec2(0.0, 3.0))
+        """
+        look = {"position": position, "zoom": zoom, "angle": angle}
+        told = {name: value for name, value in look.items() if value is not None}
+        return cast("Game", self).views.add(area, follow, view_height, told)
+
+    @known_keywords
+    def split(self, *targets: Followed, stacked: bool = False) -> tuple[View, ...]:
+        """Share the window out among one to four things, and follow each in a view of its own; they are returned.
+
+        Two are side by side, or one over the other with `stacked`; three and four are in quarters, and of three the
+        last has both lower ones. `game.split(hero)` gives all of it to one again.
+
+        >>> game = evil.Game(headless=True)
+        >>> one, two = game.add_character(at=(0, 1)), game.add_character(at=(9, 1))
+        >>> game.split(one, two)
+        (<View left>, <View right>)
+        """
+        if not isinstance(stacked, bool):
+            raise ArgumentTypeError(f"Game.split: stacked={stacked!r} must be True or False")
+        return cast("Game", self).views.share(targets, stacked)
 
     def _set_key(self, which: str, key: str | None) -> None:
         self._keys_of_window[which] = "" if key is None else key_name(key, "Game", which)

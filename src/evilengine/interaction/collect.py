@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, Protocol
 
 from evilengine.interaction.axis import DEAD_ZONE, axis
 from evilengine.interaction.tilt import StandIns, Tilting
@@ -36,8 +36,11 @@ MOUSE: Finger = "mouse"
 KEYBOARD = -1  # a source of keys, beside pads 0, 1, ...
 STICK_PRESSES, STICK_LETS_GO = 0.5, 0.35  # apart, so that a stick held near one of them does not flicker
 
-ToWorld = Callable[[Vec2], Vec2]
-"""Where in the world a point of the screen is: a camera's `to_world`."""
+
+class ToWorld(Protocol):
+    """Where in the world a point of the screen is, and where it is for a finger that began at another point."""
+
+    def __call__(self, pixel: Vec2, began: Vec2 | None = None) -> Vec2: ...
 
 
 @dataclass(slots=True)
@@ -46,6 +49,8 @@ class _Finger:
     at: Vec2
     pixel_before: Vec2
     at_before: Vec2
+    origin: Vec2
+    """Where on the screen it came down."""
     began: bool = True
     ended: bool = False
     cancelled: bool = False
@@ -81,7 +86,7 @@ class Interaction:
 
     >>> interaction = Interaction()
     >>> interaction.collect([KeyEvent("space", True)])
-    >>> [interaction.snapshot(lambda pixel: pixel).pressed for step in range(2)]
+    >>> [interaction.snapshot(lambda pixel, began=None: pixel).pressed for step in range(2)]
     [('space',), ()]
     """
 
@@ -142,7 +147,11 @@ class Interaction:
     def state(self) -> dict[str, Any]:
         """What a saved game keeps: what is held. What waits for the next step is lost, and pads are the device's."""
         fingers = [
-            [name, *map(list, (finger.pixel, finger.at, finger.pixel_before, finger.at_before)), finger.began]
+            [
+                name,
+                *map(list, (finger.pixel, finger.at, finger.pixel_before, finger.at_before, finger.origin)),
+                finger.began,
+            ]
             for name, finger in self._fingers.items()
             if not finger.ended
         ]
@@ -174,8 +183,8 @@ class Interaction:
         for name, *places, began in state["fingers"]:
             if not isinstance(name, (int, str)):
                 raise ValueError("no finger")
-            now, at, before, at_before = (to_vec2(each, me, "finger") for each in places)
-            fingers[name] = _Finger(now, at, before, at_before, bool(began))
+            now, at, before, at_before, origin = (to_vec2(each, me, "finger") for each in places)
+            fingers[name] = _Finger(now, at, before, at_before, origin, bool(began))
         sensors = {}
         for name, (x, y, z) in state["sensors"]:
             reading = number(x, me, "sensor"), number(y, me, "sensor"), number(z, me, "sensor")
@@ -253,14 +262,15 @@ class Interaction:
             self._touch(TouchEvent(MOUSE, "began" if event.down else "ended", event.at), changes)
 
     def _touch(self, event: TouchEvent, changes: _Changes) -> None:
-        at = changes.to_world(event.at)
         finger = self._fingers.get(event.finger)
         down = finger is not None and not finger.ended
+        origin = event.at if finger is None or event.phase == "began" else finger.origin
+        at = changes.to_world(event.at, origin)
         if event.phase == "began":
             if down:
                 self._touch(TouchEvent(event.finger, "ended", self._fingers[event.finger].pixel, True), changes)
             self._fingers.pop(event.finger, None)  # so that the order is that of coming down
-            self._fingers[event.finger] = _Finger(event.at, at, event.at, at)
+            self._fingers[event.finger] = _Finger(event.at, at, event.at, at, event.at)
             changes.touches.append(Touch(event.finger, "began", at, at, event.at, event.at))
         elif finger is not None and down and (event.phase == "ended" or event.at != finger.pixel):
             touch = Touch(event.finger, event.phase, at, finger.at, event.at, finger.pixel, event.cancelled)
@@ -299,7 +309,7 @@ class Interaction:
     def _touches_now(self, to_world: ToWorld) -> tuple[Touch, ...]:
         touches = []
         for name, finger in list(self._fingers.items()):
-            finger.at = to_world(finger.pixel)  # the camera may have moved under a finger that rests
+            finger.at = to_world(finger.pixel, finger.origin)  # the camera may have moved under a finger that rests
             phase: Phase = "ended" if finger.ended else "began" if finger.began else "moved"
             before, pixel_before = finger.at_before, finger.pixel_before
             touches.append(Touch(name, phase, finger.at, before, finger.pixel, pixel_before, finger.cancelled))

@@ -213,7 +213,7 @@ class Level(Values):
                 self._go(file, game)
             case commands.SetPace(pace=pace):
                 game.speed = self._number(pace, scope)
-            case commands.Quake() | commands.Follow():
+            case commands.Quake() | commands.Follow() | commands.Split():
                 move_camera(self, command, scope, game)
             case commands.AddDrawing():
                 self._add_drawing(command, scope, game)

@@ -37,10 +37,17 @@ def drawn(values: dict[str, Any], beside: Callable[[str], str]) -> dict[str, Any
     return values
 
 
-def move_camera(level: Level, command: commands.Quake | commands.Follow, scope: Scope, game: Game) -> None:
-    """What the camera is told."""
+def move_camera(
+    level: Level, command: commands.Quake | commands.Follow | commands.Split, scope: Scope, game: Game
+) -> None:
+    """What the camera is told, or the cameras."""
     if isinstance(command, commands.Quake):
         game.camera.shake(level._number(command.strength, scope))
+        return
+    if isinstance(command, commands.Split):
+        there = [body for each in command.targets if isinstance(body := level._thing(each, scope), Body)]
+        if len(there) == len(command.targets):  # else one is gone
+            game.split(*there)
         return
     body = level._thing(command.target, scope)
     if isinstance(body, Body):  # else it is gone

@@ -12,6 +12,7 @@ from evilengine.scene.particles import Emitter
 from evilengine.scene.post import Post
 from evilengine.scene.scene import Scene
 from evilengine.scene.text import Text
+from evilengine.scene.views import View, Views, collect_views
 
 __all__ = [
     "LOOKS",
@@ -28,4 +29,7 @@ __all__ = [
     "Post",
     "Scene",
     "Text",
+    "View",
+    "Views",
+    "collect_views",
 ]

@@ -33,7 +33,7 @@ class Camera(CameraWork):
     (Vec2(0.0, 0.0), Vec2(1.0, 0.0), Vec2(480.0, 220.0))
     """
 
-    __slots__ = ("_angle", "_fit", "_position", "_size", "_zoom")
+    __slots__ = ("_angle", "_fit", "_position", "_size", "_zoom", "corner")
 
     @known_keywords
     def __init__(
@@ -47,6 +47,8 @@ class Camera(CameraWork):
     ) -> None:
         self._rest()
         self._fit: tuple[float, float] | None = None  # metres that must be seen; None: POINTS_A_METRE
+        self.corner = (0.0, 0.0)
+        """Where in the window the top left corner of what it shows is, in logical points; its view keeps it."""
         self.size = size
         self.position = position
         self.zoom = zoom
@@ -55,7 +57,7 @@ class Camera(CameraWork):
 
     @property
     def size(self) -> tuple[float, float]:
-        """Width and height of the screen in logical points; the game keeps it up to date."""
+        """Width and height of what it fills, the screen or a view, in logical points; the game keeps it up to date."""
         return self._size
 
     @size.setter
@@ -135,12 +137,13 @@ class Camera(CameraWork):
         c, s = math.cos(self._angle), math.sin(self._angle)
         per_metre = self.points_a_metre
         across, up = c * x + s * y, c * y - s * x
-        return Vec2(self._size[0] / 2 + across * per_metre, self._size[1] / 2 - up * per_metre)
+        left, top = self.corner
+        return Vec2(left + self._size[0] / 2 + across * per_metre, top + self._size[1] / 2 - up * per_metre)
 
     @known_keywords
     def to_world(self, pixel: Point) -> Vec2:
         """The point of the world that is at `pixel` (logical points) of the screen; undoes `to_pixel`."""
-        x, y = to_vec2(pixel, "Camera.to_world", "pixel")
+        x, y = to_vec2(pixel, "Camera.to_world", "pixel") - Vec2(*self.corner)
         per_metre = self.points_a_metre
         across, up = (x - self._size[0] / 2) / per_metre, (self._size[1] / 2 - y) / per_metre
         c, s = math.cos(self._angle), math.sin(self._angle)
@@ -149,7 +152,7 @@ class Camera(CameraWork):
     @known_keywords
     def sees(self, point: Point, *, margin: float = 0.0) -> bool:
         """Is `point` of the world on the screen, or at most `margin` metres beside it?"""
-        x, y = self.to_pixel(point)
+        x, y = self.to_pixel(point) - Vec2(*self.corner)
         slack = number(margin, "Camera.sees", "margin") * self.points_a_metre
         return -slack <= x <= self._size[0] + slack and -slack <= y <= self._size[1] + slack
 

@@ -287,6 +287,15 @@ class Scene:
         screen = (width, height)
         if scale is None:
             scale = min(width / camera.size[0], height / camera.size[1])
+        frame = self.collect_world(camera, alpha, screen, scale)
+        self._collect_over(screen, scale, overlay)
+        return frame
+
+    def collect_world(
+        self, camera: Camera, alpha: float, screen: tuple[int, int], scale: float, *, into: int = 0
+    ) -> DrawList:
+        """What a camera sees, without what lies over all. Good until the next frame `into` the list of that number."""
+        self._core.aim(into)
         view = camera.matrix(screen, scale, alpha)
         eye = seen_middle(view, screen)
         self._core.set_layers(self.layers.rows(eye, camera.zoom))
@@ -297,6 +306,17 @@ class Scene:
             self.post.put(self._core, self.world.steps)
         if self.debug:
             self.debug_view.draw(self._core, self.world, self._fonts, view, alpha, screen, scale)
+        return DrawList(screen, self._background.rgba8, content)
+
+    def collect_screen(self, screen: tuple[int, int], scale: float, *, overlay: bool = True) -> _core.DrawList:
+        """What lies over all, and nothing else."""
+        self._core.aim(0)
+        content = self._core.empty()
+        self._collect_over(screen, scale, overlay)
+        return content
+
+    def _collect_over(self, screen: tuple[int, int], scale: float, overlay: bool) -> None:
+        """What lies over the world, on the screen: text, panels, the graph."""
         if self.graph is not None and overlay:
             graph.draw(self._core, self.graph, self._fonts, screen, scale)
         for panel in self.panels if overlay else ():
@@ -306,7 +326,6 @@ class Scene:
         for text in (*self._texts, *(self._overlay if overlay else ())):
             if text.visible and self._fonts is not None:
                 text.draw(self._core, self._fonts, screen, scale)
-        return DrawList(screen, self._background.rgba8, content)
 
     def _collect_layers(
         self, view: Matrix6, eye: Vec2, zoom: float, alpha: float, screen: tuple[int, int], scale: float

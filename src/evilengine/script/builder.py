@@ -140,6 +140,10 @@ class Builder(ThingBuilder):
             case "follow", (Identifier() as name,):
                 made = self.called(name, BODIES, "thing")
                 return [values.Follow(place, Called(name.name))] if made else []
+            case "split", names:
+                targets = [name for name in names if isinstance(name, Identifier)]
+                made_all = [self.called(name, BODIES, "thing") for name in targets]
+                return [values.Split(place, tuple(Called(name.name) for name in targets))] if all(made_all) else []
             case "destroy", (Identifier() as name,):
                 made = self.called(name, THINGS, "thing")
                 return [values.Destroy(place, Called(name.name))] if made else []

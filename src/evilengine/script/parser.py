@@ -38,6 +38,7 @@ from evilengine.script.words import (
 )
 from evilengine.values.level import Place
 
+_MOST_VIEWS = 4  # that a screen is split into
 _WAIT = "{word} needs the seconds, as in: {word} 2 {{ ... }}"
 
 
@@ -235,6 +236,11 @@ class Parser(Pictured):
                 return (self.number("quake needs a number of points, as in: quake 12;"),)
             case "follow":
                 return (self.name_of("follow needs the name of a thing, as in: follow ball;"),)
+            case "split":
+                names = [self.name_of("split needs the names of one to four things, as in: split one two;")]
+                while len(names) < _MOST_VIEWS and self.token.kind != ";" and not self.starts_statement(self.token):
+                    names.append(self.name_of("split takes names of things, as in: split one two;"))
+                return tuple(names)
             case "let":
                 return self._let()
             case "destroy":

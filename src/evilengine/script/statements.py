@@ -33,6 +33,14 @@ STATEMENTS: Mapping[str, Statement] = {
             meant=("track", "chase", "lookAt"),
         ),
         Statement(
+            word="split",
+            form="split NAME [NAME [NAME [NAME]]];",
+            doc="Shares the screen out: a part for each of these things, which follows it. Two are side by side, three "
+            "and four in quarters; one has all of it again.",
+            example="new circle one 0.5 at -3 3 physicsOn;\nnew circle two 0.5 at 3 3 physicsOn;\nsplit one two;",
+            meant=("splitScreen", "views", "share", "players"),
+        ),
+        Statement(
             word="quake",
             form="quake NUMBER;",
             doc="Shakes the picture, at first by so many points; it dies away by itself.",

@@ -80,6 +80,10 @@ class Translator(PythonPictures):
                 name = self.called(target.name)
                 with self._if_alive(name):
                     self._line(f"game.camera.follow({name})")
+            case commands.Split(targets=targets):
+                names = [self.called(target.name) for target in targets]
+                with self._if_alive(*names):
+                    self._line(f"game.split({', '.join(names)})")
             case commands.SetSeed(seed=seed):
                 self._line(f"game.random.seed({seed})")
             case commands.AddBody():

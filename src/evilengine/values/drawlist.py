@@ -19,3 +19,15 @@ class DrawList:
     """Colour that the frame starts from, as 0xAABBGGRR."""
     content: _core.DrawList
     """Meshes and instances; see core/draw/draw_list.hpp."""
+    insets: tuple[Inset, ...] = ()
+    """Frames that each fill a part of this one, in their order, before the content goes over all of them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Inset:
+    """A frame that fills a part of another one, such as what one of several cameras sees. It has no insets itself."""
+
+    left: int
+    top: int
+    """Where its top left corner is, in pixels of the whole; all of it must lie within that."""
+    frame: DrawList

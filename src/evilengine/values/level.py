@@ -222,6 +222,14 @@ class Follow:
 
 
 @dataclass(frozen=True, slots=True)
+class Split:
+    """A view for each of these."""
+
+    place: Place
+    targets: tuple[Called, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Quake:
     place: Place
     strength: Number
@@ -371,6 +379,7 @@ Command: TypeAlias = (
     | Go
     | SetPace
     | Follow
+    | Split
     | Quake
     | Let
     | SetNumber

@@ -155,8 +155,9 @@ class GraphicsDevice(Protocol):
         *,
         textures: Sequence[tuple[str, Texture]],
         uniforms: Mapping[str, tuple[float, ...]],
+        part: tuple[int, int, int, int] | None = None,
     ) -> None:
-        """Put something in the place of all that is on the target, by one triangle over it."""
+        """Put something in the place of all that is on the target, or on a part of it (left, top, width, height)."""
 
     def show(self, program: Program, textures: Sequence[tuple[str, Texture]], size: tuple[int, int]) -> None:
         """Fill the window, `size` pixels, with one triangle over all of it."""

@@ -327,14 +327,18 @@ class ModernGlDevice:
         *,
         textures: Sequence[tuple[str, Texture]],
         uniforms: Mapping[str, tuple[float, ...]],
+        part: tuple[int, int, int, int] | None = None,
     ) -> None:
         assert isinstance(target, _Target)
         assert isinstance(program, _Program)
+        target.native.viewport = part or (0, 0, *target.size)
         target.native.use()
         program.use(textures, uniforms)
         self.context.disable(moderngl.BLEND)
         program.vertices.render(moderngl.TRIANGLES, 3)
         self.context.enable(moderngl.BLEND)
+        if part is not None:
+            target.native.viewport = (0, 0, *target.size)
 
     def show(self, program: Program, textures: Sequence[tuple[str, Texture]], size: tuple[int, int]) -> None:
         assert isinstance(program, _Program)

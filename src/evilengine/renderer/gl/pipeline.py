@@ -13,7 +13,7 @@ from evilengine.renderer.gl import shaders
 from evilengine.renderer.gl.device import Attribute, Blend, GraphicsDevice, Layout, Program, Target, Texture
 from evilengine.renderer.gl.filters import Filters
 from evilengine.renderer.gl.light import LightTexture
-from evilengine.values.drawlist import DrawList
+from evilengine.values.drawlist import DrawList, Inset
 from evilengine.values.image import Image
 
 ROW = 1024
@@ -71,16 +71,22 @@ class _Shapes:
 
 
 class Pipeline:
-    """Everything that is held on one device, and how a frame is drawn with it."""
+    """Everything that is held on one device, and how a frame is drawn with it.
 
-    def __init__(self, device: GraphicsDevice) -> None:
+    One that is `of` another draws a part of its frames, and has pictures and programs in common with it.
+    """
+
+    def __init__(self, device: GraphicsDevice, of: Pipeline | None = None) -> None:
         self.device = device
         self.draw_calls = 0
         """Of the last frame."""
         self.target: Target | None = None
-        self._batcher = _core.Batcher()
-        self._pictures: dict[int, Texture] = {}
-        self._programs: dict[tuple[int, bool, bool], Program] = {}  # by pictures a draw call mixes, facets, light
+        self._batcher = _core.Batcher() if of is None else of._batcher.another()
+        self._pictures: dict[int, Texture] = {} if of is None else of._pictures
+        # By pictures a draw call mixes, facets, light.
+        self._programs: dict[tuple[int, bool, bool], Program] = {} if of is None else of._programs
+        self._is_part = of is not None
+        self._insets: list[Pipeline] = []
         self._quads = device.buffer()
         self._specks = device.buffer()
         self._spare: Target | None = None  # of the same size, for what is done to a whole picture
@@ -120,9 +126,12 @@ class Pipeline:
     # ---- a frame --------------------------------------------------------------------------------------------------
 
     def draw(self, frame: DrawList) -> None:
+        insets = self._draw_insets(frame)
         batches = self._batcher.collect(frame.content, *frame.size)
         target = self._target(frame.size)
         target.clear(_to_colour(frame.background))
+        for inset, pipeline in zip(frame.insets, insets, strict=True):
+            self._place(target, inset, pipeline)
         quads = self._batcher.quads
         if batches:
             self._quads.write(quads, len(quads))
@@ -151,8 +160,28 @@ class Pipeline:
                 },
                 blend=BLENDS[look >> 1],
             )
-        self.draw_calls = len(batches)
+        self.draw_calls = len(batches) + sum(pipeline.draw_calls + 1 for pipeline in insets)
         self.device.check()
+
+    def _draw_insets(self, frame: DrawList) -> list[Pipeline]:
+        """What fills parts of the frame, each drawn by a pipeline of its own."""
+        while len(self._insets) < len(frame.insets):
+            self._insets.append(Pipeline(self.device, self))
+        while len(self._insets) > len(frame.insets):
+            self._insets.pop().release()
+        for inset, pipeline in zip(frame.insets, self._insets, strict=True):
+            pipeline.draw(inset.frame)
+        return self._insets
+
+    def _place(self, target: Target, inset: Inset, pipeline: Pipeline) -> None:
+        assert pipeline.target is not None
+        self.device.fill(
+            target,
+            self.device.program(shaders.load("screen.vert"), shaders.load("place.frag"), {}),
+            textures=[("picture", pipeline.target.texture)],
+            uniforms={"corner": (float(inset.left), float(inset.top))},
+            part=(inset.left, inset.top, *inset.frame.size),
+        )
 
     def _interlude(self, target: Target, kind: str, *what: Any) -> Target:
         """What comes between the quads of a frame; on which target it goes on."""
@@ -206,8 +235,11 @@ class Pipeline:
 
     def release(self) -> None:
         """Give back everything that this made."""
+        for pipeline in self._insets:
+            pipeline.release()
+        pictures = () if self._is_part else tuple(self._pictures.values())
         for thing in (
-            *self._pictures.values(),
+            *pictures,
             self._shapes.texture,
             self._quads,
             self._specks,
@@ -218,7 +250,9 @@ class Pipeline:
                 thing.release()
         self._filters.release()
         self._light.release()
-        self._pictures.clear()
+        if not self._is_part:
+            self._pictures.clear()
+        self._insets.clear()
         self.target = self._spare = None
 
 

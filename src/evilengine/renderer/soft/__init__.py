@@ -11,6 +11,8 @@ from evilengine.values.surface import Shows, Surface
 MAX_SIDE = 16384
 """Pixels; the longest side of a target or a texture (kMaxSide in core/raster/target.hpp)."""
 
+_NOTHING = _core.DrawList()
+
 
 class SoftRenderer:
     """Draws with `core/raster`: exact area coverage, bilinear textures, sRGB blending. Behaves as `Renderer` says.
@@ -52,7 +54,15 @@ class SoftRenderer:
         """Draw a whole frame. A frame of another size gets new pixels; views of the old ones keep the last picture."""
         if frame.size != self._size:
             self._resize(*frame.size)
-        self._raster.draw(frame.content, self._pixels, *self._size, frame.background)
+        whole = (self._pixels, *self._size)
+        background: int | None = frame.background
+        if frame.insets:
+            self._raster.draw(_NOTHING, *whole, background)
+            for inset in frame.insets:
+                part = (inset.left, inset.top, *inset.frame.size)
+                self._raster.draw(inset.frame.content, *whole, inset.frame.background, part=part)
+            background = None
+        self._raster.draw(frame.content, *whole, background)
 
     def _resize(self, width: int, height: int) -> None:
         if not (1 <= width <= MAX_SIDE and 1 <= height <= MAX_SIDE):
