@@ -1,6 +1,7 @@
 // _core.Lights: the lights of a scene by slot and generation, and the light map they become. evilengine.scene.lights is
 // its face; it composes the words of errors, so here they are short.
 #include "bind/bytes.hpp"
+#include "bind/scene.hpp"
 #include "bind/visit.hpp"
 #include "draw/draw_list.hpp"
 #include "light/lighting.hpp"
@@ -23,7 +24,6 @@ struct LightsBox { // what Python holds
 
 using Reference = std::tuple<std::uint32_t, std::uint32_t>; // slot, generation
 using Pair = std::tuple<float, float>;
-using Matrix6 = std::tuple<float, float, float, float, float, float>; // a b c d tx ty
 
 Light& light_at(LightsBox& box, std::uint32_t slot, std::uint32_t generation) {
     if (!box.lights.slots.alive(light::LightRef{slot, generation}))
@@ -43,8 +43,10 @@ template <auto member, class Class> void field(Class& c, const char* name) {
           slot, generation, nb::arg("value"));
 }
 
-bool collect(LightsBox& box, draw::DrawList& list, World& world, const Matrix6& view, double alpha, int width,
-             int height, const light::Rgb& ambient, float strength, float depth, int step) {
+bool collect(LightsBox& box, const SceneBox& scene, World& world, const Matrix6& view, double alpha, int width,
+             int height, const light::Rgb& ambient, float strength, float depth, int step, light::Quality quality,
+             float bounce) {
+    draw::DrawList& list = *scene.list;
     const bool needed = std::ranges::any_of(list.instances, [](const draw::Instance& one) { return one.lit; });
     light::remove_orphans(box.lights, world.bodies.slots);
     light::Look look;
@@ -52,10 +54,12 @@ bool collect(LightsBox& box, draw::DrawList& list, World& world, const Matrix6& 
     look.strength = strength;
     look.depth = depth;
     look.step = step;
+    look.quality = quality;
+    look.bounce = bounce;
     look.on = needed;
-    const auto& [a, b, c, d, tx, ty] = view;
-    const float part = std::isfinite(alpha) ? static_cast<float>(std::clamp(alpha, 0.0, 1.0)) : 1.0f;
-    light::compute(list.light, box.scratch, box.lights, look, world, {a, b, c, d, tx, ty}, part, width, height);
+    if (needed && quality == light::Quality::high) find_colours(box.scratch.bounce, scene.scene, world);
+    light::compute(list.light, box.scratch, box.lights, look, world, to_affine(view), part_of_step(alpha), width,
+                   height);
     return needed;
 }
 
@@ -112,6 +116,10 @@ void register_light(nb::module_& module) {
         .value("round", light::Reach::round)
         .value("cone", light::Reach::cone)
         .value("parallel", light::Reach::parallel);
+    nb::enum_<light::Quality>(module, "Quality", "How light is worked out.")
+        .value("low", light::Quality::low)
+        .value("medium", light::Quality::medium)
+        .value("high", light::Quality::high);
     nb::class_<LightsBox> c(module, "Lights", "Lights by slot and generation; evilengine.scene.lights is the face.");
     c.def(nb::init<>());
     c.def("__len__", [](const LightsBox& box) { return box.lights.slots.count(); });
@@ -188,9 +196,10 @@ void register_light(nb::module_& module) {
     field<&Light::shadows>(c, "shadows");
     c.def("restore", &restore, nb::arg("world"), nb::arg("slots"), nb::arg("serials"), nb::arg("bodies"),
           nb::arg("next_serial"), "Become lights in these slots, as new ones are; their references.");
-    c.def("collect", &collect, nb::arg("list"), nb::arg("world"), nb::arg("view"), nb::arg("alpha"), nb::arg("width"),
+    c.def("collect", &collect, nb::arg("scene"), nb::arg("world"), nb::arg("view"), nb::arg("alpha"), nb::arg("width"),
           nb::arg("height"), nb::arg("ambient"), nb::arg("strength"), nb::arg("depth"), nb::arg("step"),
-          "Put the frame's light into the list; whether anything in it is lit.");
+          nb::arg("quality"), nb::arg("bounce"),
+          "Put the frame's light into the list that the scene collected; whether anything in it is lit.");
     module.def(
         "light_map",
         [](const draw::DrawList& list) -> std::optional<std::tuple<int, int, float, float, float, nb::bytes>> {

@@ -47,26 +47,26 @@ std::span<const Vec2> corners_of(const Casters& casters, const Caster& caster) {
     return std::span(casters.corners).subspan(caster.first, caster.count);
 }
 
-struct Span { // of what a row of texels, y to y + 1, holds of a caster; nothing: left is right
+struct Span { // of what the rows from y = low to high hold of a caster; nothing: left is right
     float left = 0.0f, right = 0.0f;
 };
 
-Span across_disc(const Caster& disc, float y) {
-    const float rise = std::max({y - disc.middle.y, disc.middle.y - (y + 1.0f), 0.0f});
+Span across_disc(const Caster& disc, float low, float high) {
+    const float rise = std::max({low - disc.middle.y, disc.middle.y - high, 0.0f});
     const float half = std::sqrt(std::max(disc.radius * disc.radius - rise * rise, 0.0f));
     return {disc.middle.x - half, disc.middle.x + half};
 }
 
-Span across_corners(std::span<const Vec2> corners, float y) {
+Span across_corners(std::span<const Vec2> corners, float low, float high) {
     Span span{1e9f, -1e9f};
     Vec2 a = corners.back();
     for (const Vec2 b : corners) {
-        const Vec2 low = a.y < b.y ? a : b, high = a.y < b.y ? b : a;
+        const Vec2 lower = a.y < b.y ? a : b, upper = a.y < b.y ? b : a;
         a = b;
-        if (high.y <= y || low.y >= y + 1.0f) continue;
-        const float slope = (high.x - low.x) / std::max(high.y - low.y, 1e-6f);
-        const float enters = low.y < y ? low.x + slope * (y - low.y) : low.x;
-        const float leaves = high.y > y + 1.0f ? high.x - slope * (high.y - (y + 1.0f)) : high.x;
+        if (upper.y <= low || lower.y >= high) continue;
+        const float slope = (upper.x - lower.x) / std::max(upper.y - lower.y, 1e-6f);
+        const float enters = lower.y < low ? lower.x + slope * (low - lower.y) : lower.x;
+        const float leaves = upper.y > high ? upper.x - slope * (upper.y - high) : upper.x;
         span = {std::min({span.left, enters, leaves}), std::max({span.right, enters, leaves})};
     }
     return span;
@@ -103,21 +103,27 @@ bool holds(const Casters& casters, const Caster& caster, Vec2 point) {
     return left != right;
 }
 
-void fill(const Casters& casters, const Caster& caster, int width, int height, int stride,
-          std::span<std::uint8_t> solid) {
+template <class Value>
+void fill(const Casters& casters, const Caster& caster, int width, int height, int stride, std::span<Value> texels,
+          Value value, Covers covers) {
+    const float margin = covers == Covers::any ? 0.0f : 0.5f - 1e-3f; // of a texel that may stay uncovered on each side
     const auto texel = [](float at, int most) {
         return static_cast<int>(std::floor(std::clamp(at, -1.0f, static_cast<float>(most))));
     };
     const int top = std::max(texel(caster.middle.y - caster.radius, height), 0);
     const int bottom = std::min(texel(caster.middle.y + caster.radius, height) + 1, height);
     for (int row = top; row < bottom; ++row) {
-        const Span span = caster.count == 0 ? across_disc(caster, static_cast<float>(row))
-                                            : across_corners(corners_of(casters, caster), static_cast<float>(row));
+        const float low = static_cast<float>(row) + margin, high = static_cast<float>(row + 1) - margin;
+        const Span span =
+            caster.count == 0 ? across_disc(caster, low, high) : across_corners(corners_of(casters, caster), low, high);
         if (!(span.left < span.right)) continue;
-        const int from = std::max(texel(span.left, width), 0);
-        const int to = std::min(texel(span.right, width) + 1, width);
-        if (from < to) std::fill_n(solid.begin() + row * stride + from, to - from, std::uint8_t{1});
+        const int from = std::max(texel(span.left + margin, width), 0);
+        const int to = std::min(texel(span.right - margin, width) + 1, width);
+        if (from < to) std::fill_n(texels.begin() + row * stride + from, to - from, value);
     }
 }
+
+template void fill(const Casters&, const Caster&, int, int, int, std::span<std::uint8_t>, std::uint8_t, Covers);
+template void fill(const Casters&, const Caster&, int, int, int, std::span<std::uint32_t>, std::uint32_t, Covers);
 
 } // namespace evil::light

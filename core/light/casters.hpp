@@ -17,8 +17,11 @@ void gather(Casters& casters, const World& world, const Affine& to_texel, float 
 
 bool holds(const Casters& casters, const Caster& caster, Vec2 point); // strictly inside
 
-// Ones for texels that the caster covers any of, on rows of `stride`; others stay as they are.
-void fill(const Casters& casters, const Caster& caster, int width, int height, int stride,
-          std::span<std::uint8_t> solid);
+enum class Covers : std::uint8_t { any, middle }; // of a texel
+
+// `value` for texels of which the caster covers so much, on rows of `stride`; others stay as they are.
+template <class Value>
+void fill(const Casters& casters, const Caster& caster, int width, int height, int stride, std::span<Value> texels,
+          Value value, Covers covers);
 
 } // namespace evil::light

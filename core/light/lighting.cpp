@@ -7,10 +7,13 @@
 namespace evil::light {
 namespace {
 
+constexpr float kHard =
+    0.25f;                // texels: half a lamp's line at the least; its half shadows are a texel wide all the same
 constexpr int kPatch = 8; // texels: a patch is as wide as the kernel's lanes, and as high
 
 struct Grid { // of the map's texels
     int width, height, stride;
+    int left, top;   // which of the world's texels is the first
     Affine to_texel; // from the world
     float scale;     // texels a metre
 };
@@ -27,7 +30,12 @@ Grid lay_out(LightMap& map, const Affine& view, int step, int width, int height)
     map.width = static_cast<int>(std::ceil((static_cast<float>(width) - 0.5f - map.first.x) / s)) + 1;
     map.height = static_cast<int>(std::ceil((static_cast<float>(height) - 0.5f - map.first.y) / s)) + 1;
     const Affine to_texel = compose({1.0f / s, 0, 0, 1.0f / s, 0.5f - map.first.x / s, 0.5f - map.first.y / s}, view);
-    return {map.width, map.height, (map.width + kPatch - 1) / kPatch * kPatch, to_texel,
+    return {map.width,
+            map.height,
+            (map.width + kPatch - 1) / kPatch * kPatch,
+            -static_cast<int>(std::lround(std::clamp(to_texel.tx, -1e9f, 1e9f))),
+            -static_cast<int>(std::lround(std::clamp(to_texel.ty, -1e9f, 1e9f))),
+            to_texel,
             std::sqrt(std::fabs(determinant(to_texel)))};
 }
 
@@ -38,7 +46,7 @@ Rgb linear(const Rgb& colour, float strength) {
 }
 
 // False for a lamp that is too far away to count, or not anywhere.
-bool to_lamp(Lamp& lamp, const Light& light, const World& world, const Grid& grid, float alpha) {
+bool to_lamp(Lamp& lamp, const Light& light, const World& world, const Grid& grid, float alpha, bool soft) {
     Pose pose;
     if (light.body.slot != kNone)
         pose = draw::between(world.previous[light.body.slot], world.present[light.body.slot], alpha);
@@ -48,7 +56,7 @@ bool to_lamp(Lamp& lamp, const Light& light, const World& world, const Grid& gri
     lamp.parallel = light.reach == Reach::parallel;
     lamp.spot = light.reach == Reach::cone;
     const float reach = lamp.reach = light.radius * grid.scale;
-    lamp.size = lamp.parallel ? light.size * kFar : std::max(light.size * grid.scale, 0.25f);
+    lamp.size = !soft ? kHard : lamp.parallel ? light.size * kFar : std::max(light.size * grid.scale, kHard);
     lamp.quarters = static_cast<int>(std::lround(4.0f * light.falloff));
     const float widest = sincos(0.5 * light.cone).cos, full = sincos(0.5 * light.cone * (1.0f - light.edge)).cos;
     lamp.cone_middle = widest;
@@ -92,13 +100,13 @@ Scratch::Cast& next(std::vector<Scratch::Cast>& casts, std::size_t& count) {
     return casts[count++];
 }
 
-void find_lamps(Scratch& scratch, const Lights& lights, const World& world, const Grid& grid, float alpha) {
+void find_lamps(Scratch& scratch, const Lights& lights, const World& world, const Grid& grid, float alpha, bool soft) {
     scratch.open_count = scratch.shaded_count = 0;
     if (scratch.rows.empty()) scratch.rows.emplace_back();
     for (std::uint32_t slot = 0; slot < lights.rows.size(); ++slot) {
         const Light& light = lights.rows[slot];
         Lamp lamp;
-        if (!lights.slots.taken(slot) || !light.on || !to_lamp(lamp, light, world, grid, alpha)) continue;
+        if (!lights.slots.taken(slot) || !light.on || !to_lamp(lamp, light, world, grid, alpha, soft)) continue;
         if (!light.shadows) {
             next(scratch.open, scratch.open_count).lamp = lamp;
             continue;
@@ -201,7 +209,7 @@ void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& 
     if (!map.on) return;
     const Grid grid = lay_out(map, view, look.step, width, height);
     gather(scratch.casters, world, grid.to_texel, alpha);
-    find_lamps(scratch, lights, world, grid, alpha);
+    find_lamps(scratch, lights, world, grid, alpha, look.quality != Quality::low);
 
     const std::size_t plane = static_cast<std::size_t>(grid.stride) * grid.height;
     scratch.planes.assign(6 * plane, 0.0f);
@@ -210,10 +218,14 @@ void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& 
     const Rgb ambient = linear(look.ambient, look.strength);
     for (std::size_t i = 0; i < 3; ++i) std::fill_n(open + i * plane, plane, ambient[i]);
     shade(scratch, std::span(scratch.open).first(scratch.open_count), grid, open, world);
-    if (scratch.shaded_count > 0) {
+    if (scratch.shaded_count > 0 || look.quality == Quality::high) {
         for (const Caster& caster : scratch.casters.rows)
-            fill(scratch.casters, caster, grid.width, grid.height, grid.stride, scratch.solid);
+            fill<std::uint8_t>(scratch.casters, caster, grid.width, grid.height, grid.stride, scratch.solid, 1,
+                               Covers::middle);
         shade(scratch, std::span(scratch.shaded).first(scratch.shaded_count), grid, shaded, world);
+        if (look.quality == Quality::high)
+            add_bounced(scratch.bounce, {grid.stride, grid.height, grid.stride, grid.left, grid.top, open, shaded},
+                        {ambient, look.bounce, look.shade * grid.scale}, scratch.casters, world);
         const int reach = std::clamp(static_cast<int>(std::lround(look.depth * grid.scale)), 1, grid.width);
         add_shaded(scratch, grid, reach, open, shaded, world.threads);
     }

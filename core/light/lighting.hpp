@@ -1,5 +1,6 @@
 #pragma once
 // One frame's light: the lights of a scene and the shapes of its world become the light map (SPEC G5, G7).
+#include "light/bounce.hpp"
 #include "light/casters.hpp"
 #include "light/light_map.hpp"
 #include "light/lights.hpp"
@@ -7,12 +8,17 @@
 
 namespace evil::light {
 
+enum class Quality : std::uint8_t { low, medium, high }; // hard shadows; soft ones; and light that surfaces send on
+
 struct Look {
-    Rgb ambient{};      // as on the screen: the light that is everywhere
-    float strength = 1; // of the ambient light
-    float depth = 0.5f; // metres that light soaks into bodies
-    int step = 2;       // pixels a texel
-    bool on = false;    // off: nothing is lit
+    Quality quality = Quality::medium;
+    Rgb ambient{};       // as on the screen: the light that is everywhere
+    float strength = 1;  // of the ambient light
+    float depth = 0.5f;  // metres that light soaks into bodies
+    float bounce = 1.0f; // high: how much of the light that falls on them surfaces send on
+    float shade = 2.0f;  // high: metres within which bodies keep ambient light away
+    int step = 2;        // pixels a texel
+    bool on = false;     // off: nothing is lit
 };
 
 struct Scratch {  // losing it changes nothing
@@ -31,6 +37,7 @@ struct Scratch {  // losing it changes nothing
     std::vector<float> planes; // red, green, blue: light of open lamps, then of shaded ones
     std::vector<std::uint8_t> solid;
     std::vector<Soft> soft, blurred, other;
+    Bounce bounce; // its colours are the caller's to find
 };
 
 // Lights whose body is gone are removed.

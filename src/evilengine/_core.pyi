@@ -2006,6 +2006,15 @@ class Reach(enum.Enum):
 
     parallel = 2
 
+class Quality(enum.Enum):
+    """How light is worked out."""
+
+    low = 0
+
+    medium = 1
+
+    high = 2
+
 class Lights:
     """Lights by slot and generation; evilengine.scene.lights is the face."""
 
@@ -2095,8 +2104,10 @@ class Lights:
     def restore(self, world: World, slots: Sequence[int], serials: Sequence[int], bodies: Sequence[int], next_serial: int) -> list[tuple[int, int]]:
         """Become lights in these slots, as new ones are; their references."""
 
-    def collect(self, list: DrawList, world: World, view: tuple[float, float, float, float, float, float], alpha: float, width: int, height: int, ambient: Sequence[float], strength: float, depth: float, step: int) -> bool:
-        """Put the frame's light into the list; whether anything in it is lit."""
+    def collect(self, scene: Scene, world: World, view: tuple[float, float, float, float, float, float], alpha: float, width: int, height: int, ambient: Sequence[float], strength: float, depth: float, step: int, quality: Quality, bounce: float) -> bool:
+        """
+        Put the frame's light into the list that the scene collected; whether anything in it is lit.
+        """
 
 def light_map(list: DrawList) -> tuple[int, int, float, float, float, bytes] | None:
     """

@@ -17,14 +17,17 @@ from evilengine.values.vec2 import Point, to_vec2
 from evilengine.world.body import Body
 from evilengine.world.world import World
 
-QUALITIES = {"low": 4, "medium": 2, "high": 1}
-"""Pixels that share one measure of light, along each side."""
+QUALITIES = {"low": (4, _core.Quality.low), "medium": (2, _core.Quality.medium), "high": (2, _core.Quality.high)}
+"""Pixels that share one measure of light, along each side; and how it is worked out."""
 
 DIM = 0.15
 """The ambient light of a scene that has lights and was told of none: shadows are dark, and one sees what is in them."""
 
 BRIGHTEST = 4.0
 """Ambient light beyond which everything is white."""
+
+MOST_BOUNCE = 4.0
+"""Of the light that bodies send on; white paint would shine by itself."""
 
 SUN_SIZE = 0.05
 """A sun's shadow is soft by so much of the distance to what casts it: some six times as soft as the real one's."""
@@ -46,6 +49,7 @@ class Lights:
         self._core = _core.Lights()
         self._ambient: float | Colour | None = None
         self._depth = 0.8
+        self._bounce = 1.0
         self._quality = "medium"
 
     def __len__(self) -> int:
@@ -84,8 +88,19 @@ class Lights:
         self._depth = number(value, "Lights", "depth", least=0.0, most=100.0)
 
     @property
+    def bounce(self) -> float:
+        """How much of the light that falls on bodies they send on, at high quality: 1.0 as their colours say."""
+        return self._bounce
+
+    @bounce.setter
+    def bounce(self, value: float) -> None:
+        self._bounce = number(value, "Lights", "bounce", least=0.0, most=MOST_BOUNCE)
+
+    @property
     def quality(self) -> str:
-        """How finely light is drawn: "low", "medium" or "high": for each four, two or one pixels."""
+        """How light is worked out: "low", with hard shadows; "medium", with soft ones; "high", with light that surfaces
+        send on to each other as well, and corners that little ambient light gets into.
+        """
         return self._quality
 
     @quality.setter
@@ -177,18 +192,16 @@ class Lights:
         on = self._core.body(slot, generation)
         return None if on is None else self._world._body(*on)
 
-    def _collect(
-        self, content: _core.DrawList, view: Matrix6, alpha: float, screen: tuple[int, int], scale: float
-    ) -> None:
-        """Put the frame's light into the draw list; without lights and ambient light, things look as they are."""
+    def _collect(self, scene: _core.Scene, view: Matrix6, alpha: float, screen: tuple[int, int], scale: float) -> None:
+        """Put the frame's light into the list that the scene collected; without lights and ambient light, things look as they are."""
         if self._ambient is None and not len(self):
             return
         ambient = self.ambient
         colour, strength = (ambient, 1.0) if isinstance(ambient, Colour) else (WHITE, ambient)
-        step = QUALITIES[self._quality] * max(1, round(scale))
+        step, quality = QUALITIES[self._quality]
         self._core.collect(
-            content, self._world._core, view, alpha, *screen, (colour.r, colour.g, colour.b), strength, self._depth,
-            step,
+            scene, self._world._core, view, alpha, *screen, (colour.r, colour.g, colour.b), strength, self._depth,
+            step * max(1, round(scale)), quality, self._bounce,
         )  # fmt: skip
 
 

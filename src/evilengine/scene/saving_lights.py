@@ -37,6 +37,7 @@ def lights_state(lights: Lights) -> dict[str, Any]:
     return {
         "ambient": list(ambient) if isinstance(ambient, Colour) else ambient,
         "depth": lights.depth,
+        "bounce": lights.bounce,
         "next": lights._core.next_serial,
         "rows": rows,
     }
@@ -59,6 +60,7 @@ class SavedLights:
         if state["ambient"] is not None:
             self._read.ambient = state["ambient"]
         self._read.depth = state["depth"]
+        self._read.bounce = state.get("bounce", self._read.bounce)  # saves of 0.1 and before have none
         self._next = int(state["next"])
         for row in state["rows"]:
             self._read_row(row)
@@ -97,6 +99,7 @@ class SavedLights:
                 value = getattr(read, name)(number, read.generation(number))
                 getattr(lights._core, f"set_{name}")(*place, value)
         lights._ambient, lights._depth = self._read._ambient, self._read._depth
+        lights._bounce = self._read._bounce
 
 
 MOST_LIGHTS = 1 << 20

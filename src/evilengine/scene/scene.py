@@ -301,7 +301,7 @@ class Scene:
         self._core.set_layers(self.layers.rows(eye, camera.zoom))
         content = self._core.collect(self.world._core, view, alpha, scale)
         self._collect_layers(view, eye, camera.zoom, alpha, screen, scale)
-        self.lights._collect(content, view, alpha, screen, scale)
+        self.lights._collect(self._core, view, alpha, screen, scale)
         if self.post.on:
             self.post.put(self._core, self.world.steps)
         if self.debug:

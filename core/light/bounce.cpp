@@ -1,0 +1,106 @@
+#include "light/bounce.hpp"
+#include "draw/scene.hpp"
+#include "light/light_map.hpp"
+#include "math/functions.hpp"
+#include <algorithm>
+
+namespace evil::light {
+namespace {
+
+constexpr float kPlain =
+    0.5f; // of a body that is not drawn, and of white pictures, whose colours the core does not know
+constexpr float kWhitest = 0.9f; // what paint sends back at most: freshly plastered walls do
+
+Rgb colour_of(const std::vector<float>& levels, const draw::Scene& scene, const draw::Drawing& drawing) {
+    const draw::Mesh& mesh = scene.meshes.meshes()[drawing.mesh];
+    const draw::Rgba8 corner = scene.meshes.vertices()[mesh.first_vertex].colour;
+    const float share = drawing.texture != draw::kNoTexture || drawing.playing.clip != kNone ? kPlain : kWhitest;
+    Rgb colour;
+    for (int c = 0; c < 3; ++c)
+        colour[c] = share * levels[drawing.tint >> 8 * c & 255u] * levels[corner >> 8 * c & 255u];
+    return colour;
+}
+
+// Cascades begin at every eighth texel of the world: what they are off by then moves with the world, and does not shimmer
+// when the camera does. All that lies further out shows in light that is too soft for it.
+constexpr int kAnchor = 8;
+
+int beyond(int texel) { return (texel % kAnchor + kAnchor) % kAnchor; }
+
+void take_in(Bounce& bounce, const BounceMap& map, const BounceLook& look) {
+    Cells& cells = bounce.cells;
+    const int left = beyond(map.left), top = beyond(map.top);
+    cells.resize(left + map.width + beyond(-map.left - map.width), top + map.height + beyond(-map.top - map.height));
+    const std::size_t plane = static_cast<std::size_t>(map.stride) * map.height;
+    for (int y = 0; y < map.height; ++y) {
+        const std::size_t at = static_cast<std::size_t>(y) * map.stride;
+        const std::uint32_t* bodies = bounce.bodies.data() + at;
+        float* solid = cells.row(Cells::solid, top + y) + left;
+        for (int x = 0; x < map.width; ++x) solid[x] = bodies[x] == kNone ? 0.0f : 1.0f;
+        for (int c = 0; c < 3; ++c) {
+            float* colour = cells.row(Cells::colour + c, top + y) + left;
+            const float *open = map.open + c * plane + at, *shaded = map.shaded + c * plane + at;
+            for (int x = 0; x < map.width; ++x)
+                colour[x] = bodies[x] == kNone ? open[x] - look.ambient[c] + shaded[x]
+                                               : look.strength * bounce.colours[bodies[x]][c];
+        }
+    }
+}
+
+// What was found, less the ambient light, is added. A texel that a body covers some of is solid to rays, and may be seen
+// beside the body: it takes the mean of the air's light round it.
+void add_found(const Bounce& bounce, const BounceMap& map, const float* found, std::size_t row, float ambient,
+               float* to) {
+    const auto in_air = [&](int x, int y) {
+        return x >= 0 && y >= 0 && x < map.width && y < map.height &&
+               bounce.bodies[static_cast<std::size_t>(y) * map.stride + x] == kNone;
+    };
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x) {
+            const float* at = found + y * row + x;
+            float sum = 0.0f, count = 0.0f;
+            if (in_air(x, y)) {
+                sum = *at, count = 1.0f;
+            } else {
+                for (int dy = -1; dy <= 1; ++dy)
+                    for (int dx = -1; dx <= 1; ++dx)
+                        if (in_air(x + dx, y + dy)) sum += at[dy * static_cast<std::ptrdiff_t>(row) + dx], ++count;
+            }
+            if (count > 0.0f) to[static_cast<std::size_t>(y) * map.stride + x] += sum / count - ambient;
+        }
+}
+
+} // namespace
+
+void find_colours(Bounce& bounce, const draw::Scene& scene, const World& world) {
+    if (bounce.levels.empty())
+        for (int level = 0; level < 256; ++level)
+            bounce.levels.push_back(static_cast<float>(power(level / 255.0, 1.0 / kToScreen)));
+    bounce.colours.assign(world.bodies.slots.size(), {kPlain, kPlain, kPlain});
+    for (const draw::DrawingRef ref : scene.order) {
+        const draw::Drawing& drawing = scene.drawings[ref.slot];
+        if (!drawing.visible || drawing.body.slot == kNone || drawing.blend != draw::Blend::over) continue;
+        bounce.colours[drawing.body.slot] = colour_of(bounce.levels, scene, drawing);
+    }
+}
+
+void add_bounced(Bounce& bounce, const BounceMap& map, const BounceLook& look, const Casters& casters, World& world) {
+    const std::size_t plane = static_cast<std::size_t>(map.stride) * map.height;
+    bounce.bodies.assign(plane, kNone);
+    for (const Caster& caster : casters.rows)
+        fill<std::uint32_t>(casters, caster, map.width, map.height, map.stride, bounce.bodies, caster.body,
+                            Covers::any);
+    take_in(bounce, map, look);
+    const Sky sky{look.ambient, std::max(look.reach, 1.0f)};
+    const std::size_t row = static_cast<std::size_t>(bounce.cells.width);
+    bounce.planes.resize(3 * row * bounce.cells.height);
+    float* all = bounce.planes.data();
+    float* const planes[3] = {all, all + row * bounce.cells.height, all + 2 * row * bounce.cells.height};
+    spread(bounce.cascades, bounce.cells, sky, planes, bounce.cells.width, world.threads, world.instruction_set);
+    for (int c = 0; c < 3; ++c) {
+        const float* from = planes[c] + beyond(map.top) * row + beyond(map.left);
+        add_found(bounce, map, from, row, look.ambient[c], map.shaded + c * plane);
+    }
+}
+
+} // namespace evil::light
