@@ -1,4 +1,4 @@
-"""High quality: light that surfaces send on, against rays followed one by one, and ambient light that corners keep out."""
+"""High quality: light that surfaces send on, against rays followed one by one; corners keep ambient light out."""
 
 from __future__ import annotations
 

@@ -193,7 +193,7 @@ class Lights:
         return None if on is None else self._world._body(*on)
 
     def _collect(self, scene: _core.Scene, view: Matrix6, alpha: float, screen: tuple[int, int], scale: float) -> None:
-        """Put the frame's light into the list that the scene collected; without lights and ambient light, things look as they are."""
+        """Put the frame's light into the scene's list; without lights and ambient light, things look as they are."""
         if self._ambient is None and not len(self):
             return
         ambient = self.ambient
