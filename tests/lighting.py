@@ -29,7 +29,7 @@ def light_of(game: evil.Game) -> tuple[Floats, Floats]:
     content = game._collect().content
     found = _core.light_map(content)
     assert found is not None, "nothing is lit"
-    width, height, step, x, y, texels = found
+    width, height, step, x, y, (texels, *_) = found
     factors = np.frombuffer(texels, np.float16).reshape(height, width, 4)[..., :3].astype(np.float64)
     columns, rows = np.meshgrid(x + step * np.arange(width), y + step * np.arange(height))
     places = np.stack([columns - game.camera.size[0] / 2, game.camera.size[1] / 2 - rows], axis=-1) / 50.0

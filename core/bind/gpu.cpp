@@ -86,7 +86,7 @@ public:
             }
             nb::list textures;
             for (std::uint32_t i = 0; i < batch.units; ++i) textures.append(batch.textures[i]);
-            const int look = int{batch.facets} + 2 * static_cast<int>(batch.blend);
+            const int look = int{batch.facets} + 2 * static_cast<int>(batch.blend) + 8 * int{batch.surfaces};
             batches.append(nb::make_tuple(batch.first, batch.count, nb::tuple(textures), look));
         }
         return batches;
@@ -134,7 +134,7 @@ void register_gpu(nb::module_& module) {
              nb::sig("def collect(self, list: DrawList, width: int, height: int) -> "
                      "list[tuple[typing.Any, ...]]"),
              "A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus "
-             "twice the number of their draw::Blend. "
+             "twice the number of their draw::Blend plus 8 if any has normals or glows. "
              "Between them ('specks', first, count, are they discs, do they add), ('blur', levels, share), ('post',).")
         .def_prop_ro(
             "post", [](const Batcher& b) { return settings_of(b.post()); },

@@ -47,7 +47,9 @@ bool collect(LightsBox& box, const SceneBox& scene, World& world, const Matrix6&
              int height, const light::Rgb& ambient, float strength, float depth, int step, light::Quality quality,
              float bounce) {
     draw::DrawList& list = *scene.list;
-    const bool needed = std::ranges::any_of(list.instances, [](const draw::Instance& one) { return one.lit; });
+    bool needed = false, directed = false;
+    for (const draw::Instance& one : list.instances)
+        needed |= one.lit, directed |= one.lit && one.normals != draw::kNoTexture;
     light::remove_orphans(box.lights, world.bodies.slots);
     light::Look look;
     look.ambient = ambient;
@@ -56,7 +58,7 @@ bool collect(LightsBox& box, const SceneBox& scene, World& world, const Matrix6&
     look.step = step;
     look.quality = quality;
     look.bounce = bounce;
-    look.on = needed;
+    look.on = needed, look.directed = directed;
     if (needed && quality == light::Quality::high) find_colours(box.scratch.bounce, scene.scene, world);
     light::compute(list.light, box.scratch, box.lights, look, world, to_affine(view), part_of_step(alpha), width,
                    height);
@@ -95,11 +97,11 @@ std::uint16_t to_half(std::uint32_t factor) { // of 13 bits, 4096 for one: a flo
     return static_cast<std::uint16_t>((exponent + 3) << 10 | (factor >> 2 & 1023));
 }
 
-// The light map for a graphics card: rows of r, g, b, 1 as floats of 16 bits.
-nb::bytes halves(const draw::DrawList& list) {
+// A plane of the light map for a graphics card: rows of r, g, b, 1 as floats of 16 bits.
+nb::bytes halves(const std::vector<light::Factors>& texels) {
     std::vector<std::uint16_t> values;
-    values.reserve(4 * list.light.texels.size());
-    for (const light::Factors f : list.light.texels) {
+    values.reserve(4 * texels.size());
+    for (const light::Factors f : texels) {
         for (int place = 2; place >= 0; --place)
             values.push_back(
                 to_half(static_cast<std::uint32_t>(f >> place * light::kFactorApart & light::kFactorMask)));
@@ -202,14 +204,18 @@ void register_light(nb::module_& module) {
           "Put the frame's light into the list that the scene collected; whether anything in it is lit.");
     module.def(
         "light_map",
-        [](const draw::DrawList& list) -> std::optional<std::tuple<int, int, float, float, float, nb::bytes>> {
+        [](const draw::DrawList& list)
+            -> std::optional<std::tuple<int, int, float, float, float, std::vector<nb::bytes>>> {
             const light::LightMap& map = list.light;
             if (!map.on) return std::nullopt;
-            return std::tuple(map.width, map.height, map.step, map.first.x, map.first.y, halves(list));
+            std::vector<nb::bytes> planes{halves(map.texels)};
+            if (map.directed) planes.push_back(halves(map.across)), planes.push_back(halves(map.down));
+            return std::tuple(map.width, map.height, map.step, map.first.x, map.first.y, std::move(planes));
         },
         nb::arg("list"),
-        "Width, height, pixels a texel, where in the picture the first one's middle lies, and texels: r, g, b, 1 as "
-        "floats of 16 bits; None where nothing is lit.");
+        "Width, height, pixels a texel, where in the picture the first one's middle lies, and planes of texels, r, g, "
+        "b, 1 as floats of 16 bits: the light, and where something has normals its ways across and down; None where "
+        "nothing is lit.");
 }
 
 } // namespace evil::bind

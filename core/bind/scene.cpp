@@ -28,12 +28,6 @@ constexpr std::uint32_t kMostLists = 64;
 using Reference = std::tuple<std::uint32_t, std::uint32_t>; // slot, generation
 using MaybeReference = std::optional<Reference>;
 
-Drawing& drawing_at(SceneBox& box, std::uint32_t slot, std::uint32_t generation) {
-    if (!box.scene.slots.alive(DrawingRef{slot, generation}))
-        raise(ErrorKind::stale_reference, "this Drawing was destroyed; ask drawing.alive first");
-    return box.scene.drawings[slot];
-}
-
 [[noreturn]] void raise_count(const char* argument, std::size_t given, std::size_t corners) {
     raise(ErrorKind::argument, std::string(kOwner) + ": " + argument + " holds " + std::to_string(given) +
                                    ", but the shape has " + std::to_string(corners) + " corners; give one for each");
@@ -275,8 +269,9 @@ void register_scene(nb::module_& module) {
         .def_prop_ro("textures", [](const ReadScene& saved) { return saved.scene->textures; })
         .def_prop_ro("clips", [](const ReadScene& saved) { return saved.scene->clips; })
         .def_prop_ro("places", &places, "(slot, body's slot, shape's slot) of each drawing, in the order of creation.");
-    nb::class_<SceneBox>(module, "Scene", "Drawings by slot and generation; evilengine.scene is the face.")
-        .def(nb::init<>())
+    nb::class_<SceneBox> c(module, "Scene", "Drawings by slot and generation; evilengine.scene is the face.");
+    bind_surfaces(c);
+    c.def(nb::init<>())
         .def("__len__", [](const SceneBox& box) { return box.scene.slots.count(); })
         .def("snapshot", &snapshot_scene, world)
         .def("restore", &restore_scene, nb::arg("saved"), world, nb::arg("textures"), nb::arg("clips"))

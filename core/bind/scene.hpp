@@ -20,6 +20,14 @@ struct SceneBox { // what Python holds
     std::vector<draw::Glyph> glyphs;                 // scratch
 };
 
+inline draw::Drawing& drawing_at(SceneBox& box, std::uint32_t slot, std::uint32_t generation) {
+    if (!box.scene.slots.alive(draw::DrawingRef{slot, generation}))
+        raise(ErrorKind::stale_reference, "this Drawing was destroyed; ask drawing.alive first");
+    return box.scene.drawings[slot];
+}
+
+void bind_surfaces(nb::class_<SceneBox>& c);
+
 using Matrix6 = std::tuple<float, float, float, float, float, float>; // a b c d tx ty
 
 inline Affine to_affine(const Matrix6& matrix) {

@@ -43,6 +43,8 @@ enum class Blend : std::uint8_t {
 };
 inline constexpr int kBlends = 4;
 
+inline constexpr float kMostGlow = 64.0f;
+
 struct Instance {
     Affine to_pixel;                    // mesh coordinates to target pixels (x right, y down, pixel centres at .5)
     Affine to_texture;                  // applied to the vertices' texture coordinates (the texture matrix)
@@ -51,7 +53,10 @@ struct Instance {
     Rgba8 tint = 0xffffffffu;
     float outline = 0.0f; // 0: filled; otherwise only a stroke of this many pixels, centred on the edge
     Blend blend = Blend::over;
-    bool lit = false; // multiplied with the light map, where that is on
+    bool lit = false;                   // multiplied with the light map, where that is on
+    std::uint32_t normals = kNoTexture; // picture of the surface's normals, for light that falls aslant
+    std::uint32_t glows = kNoTexture;   // picture of what shines by itself; none: as the instance looks
+    float glow = 0.0f;                  // how strongly: added to what light shows; 0 to kMostGlow
 };
 
 struct LayerStart { // where a layer's instances begin
@@ -79,7 +84,7 @@ inline void clear(DrawList& list) { // keeps the memory for the next frame
     list.instances.clear();
     list.layers.clear();
     list.interludes.clear();
-    list.light.on = false;
+    list.light.on = list.light.directed = false;
     list.copied_meshes = ~0ull;
 }
 

@@ -2,6 +2,7 @@
 #include "archive.hpp"
 #include "shapes/polygon.hpp"
 #include <algorithm>
+#include <array>
 
 namespace evil::draw {
 namespace {
@@ -13,7 +14,8 @@ template <class A, Like<Vertex> V> void fields(A& ar, V& v) { visit(ar, v.at, v.
 // What a drawing keeps; the generations of what it is on are a process's own.
 template <class A, Like<Drawing> V> void fields(A& ar, V& d) {
     visit(ar, d.body.slot, d.shape.slot, d.local, d.texture_matrix, d.mesh, d.texture, d.tint, d.edge, d.edge_width,
-          d.layer, d.visible, d.lit, d.serial, d.flip_x, d.flip_y, d.blend, d.playing.clip, d.playing.began);
+          d.layer, d.visible, d.lit, d.serial, d.flip_x, d.flip_y, d.blend, d.playing.clip, d.playing.began,
+          d.surface.normals, d.surface.glows, d.glow);
 }
 
 bool is_there(const Drawing& d, const World& world) {
@@ -21,6 +23,8 @@ bool is_there(const Drawing& d, const World& world) {
     if (!world.bodies.slots.alive(d.body)) return false;
     return d.shape.slot == kNone || world.shapes.slots.alive(d.shape);
 }
+
+std::array<std::uint32_t*, 3> textures_of(Drawing& d) { return {&d.texture, &d.surface.normals, &d.surface.glows}; }
 
 // 1, 2, ... for values as they are first met; `of` remembers by value.
 std::uint32_t number_of(std::uint32_t value, std::vector<std::uint32_t>& of, std::vector<std::uint32_t>& met) {
@@ -47,7 +51,9 @@ bool is_sound(const SavedMesh& mesh) {
 bool hold_together(const SavedScene& s) {
     std::vector<std::uint64_t> serials;
     for (const Drawing& d : s.drawings) {
-        if (d.mesh >= s.meshes.size() || d.texture > s.textures || d.serial >= s.next_serial) return false;
+        if (d.mesh >= s.meshes.size() || d.serial >= s.next_serial) return false;
+        if (std::max({d.texture, d.surface.normals, d.surface.glows}) > s.textures) return false;
+        if (!(d.glow == kGlowAsShown || (d.glow >= 0.0f && d.glow <= kMostGlow))) return false;
         if (static_cast<int>(d.blend) >= kBlends) return false;
         if (d.playing.clip != kNone && d.playing.clip >= s.clips) return false;
         if (d.body.slot == kNone && d.shape.slot != kNone) return false;
@@ -75,7 +81,8 @@ SceneBytes snapshot(const Scene& scene, const World& world) {
     for (const std::uint32_t slot : slots) {
         Drawing d = scene.drawings[slot];
         d.mesh = number_of(d.mesh, mesh_number, meshes) - 1;
-        if (d.texture != kNoTexture) d.texture = number_of(d.texture, texture_number, result.textures);
+        for (std::uint32_t* texture : textures_of(d))
+            if (*texture != kNoTexture) *texture = number_of(*texture, texture_number, result.textures);
         if (d.playing.clip != kNone) d.playing.clip = number_of(d.playing.clip, clip_number, result.clips) - 1;
         ar.value(slot);
         fields(ar, d);
@@ -139,7 +146,8 @@ bool restore(Scene& scene, const SavedScene& saved, const World& world, std::spa
             if (!on_it) return false;
             d.shape.generation = world.shapes.slots.generation(d.shape.slot);
         }
-        if (d.texture != kNoTexture) d.texture = textures[d.texture - 1];
+        for (std::uint32_t* texture : textures_of(d))
+            if (*texture != kNoTexture) *texture = textures[*texture - 1];
         if (d.playing.clip != kNone) d.playing.clip = clips[d.playing.clip];
         rows.resize(slot + 1);
         taken.resize(slot + 1, false);

@@ -80,6 +80,18 @@ std::uint32_t shown_texture(const Scene& scene, const Drawing& drawing, double n
     return clip.textures[frame_at(clip, now - static_cast<double>(drawing.playing.began))];
 }
 
+Surface surface_of(const Scene& scene, const Drawing& drawing, std::uint32_t shown) {
+    Surface surface = shown < scene.surfaces.size() ? scene.surfaces[shown] : Surface{};
+    if (drawing.surface.normals != kNoTexture) surface.normals = drawing.surface.normals;
+    if (drawing.surface.glows != kNoTexture) surface.glows = drawing.surface.glows;
+    return surface;
+}
+
+float glow_of(const Drawing& drawing, const Surface& surface) {
+    if (drawing.glow >= 0.0f) return drawing.glow;
+    return surface.glows != kNoTexture ? 1.0f : 0.0f;
+}
+
 Affine texture_place(const Drawing& drawing) {
     if (!drawing.flip_x && !drawing.flip_y) return drawing.texture_matrix;
     const float x = drawing.flip_x ? 1.0f : 0.0f, y = drawing.flip_y ? 1.0f : 0.0f;
@@ -112,7 +124,7 @@ void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affin
     out.instances.clear();
     out.layers.clear();
     out.interludes.clear();
-    out.light.on = false;
+    out.light.on = out.light.directed = false;
 
     LayerCursor layer{scene.looks, view};
     for (const DrawingRef ref : scene.order) {
@@ -122,8 +134,11 @@ void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affin
         if (!is_finite(to_pixel)) continue; // too far away for a float; nothing of it would be on the picture
         if (out.layers.empty() || out.layers.back().layer != drawing.layer)
             out.layers.push_back({drawing.layer, static_cast<std::uint32_t>(out.instances.size())});
-        out.instances.push_back({to_pixel, texture_place(drawing), drawing.mesh, shown_texture(scene, drawing, now),
-                                 multiplied(drawing.tint, layer.tint), 0.0f, drawing.blend, drawing.lit});
+        const std::uint32_t shown = shown_texture(scene, drawing, now);
+        const Surface surface = surface_of(scene, drawing, shown);
+        out.instances.push_back({to_pixel, texture_place(drawing), drawing.mesh, shown,
+                                 multiplied(drawing.tint, layer.tint), 0.0f, drawing.blend, drawing.lit,
+                                 drawing.lit ? surface.normals : kNoTexture, surface.glows, glow_of(drawing, surface)});
         if (drawing.edge_width > 0.0f)
             out.instances.push_back({to_pixel,
                                      {},

@@ -11,6 +11,12 @@ namespace evil::draw {
 
 using DrawingRef = Ref<struct DrawingTag>;
 
+struct Surface { // pictures that say more of a surface than its colours
+    std::uint32_t normals = kNoTexture, glows = kNoTexture;
+};
+
+inline constexpr float kGlowAsShown = -1.0f; // 1 with a picture of what glows, 0 without
+
 struct Drawing {            // draw/saving.cpp says which of it is saved
     BodyRef body;           // slot kNone: stands by itself
     ShapeRef shape;         // of that body, whose matrix it follows too (SPEC P4); slot kNone: no shape
@@ -26,6 +32,8 @@ struct Drawing {            // draw/saving.cpp says which of it is saved
     bool lit = false;
     bool flip_x = false, flip_y = false; // the picture mirrored, left for right and top for bottom
     Blend blend = Blend::over;
+    Surface surface;           // none: those of the picture that it shows
+    float glow = kGlowAsShown; // how strongly it shines by itself
     Playing playing;
     std::uint64_t serial = 0; // order of creation, never used again
 };
@@ -33,6 +41,7 @@ struct Drawing {            // draw/saving.cpp says which of it is saved
 struct Scene { // State
     Meshes meshes;
     std::vector<Clip> clips;
+    std::vector<Surface> surfaces; // by texture; ids beyond have none
     Slots slots;
     std::vector<Drawing> drawings; // by slot
     std::vector<DrawingRef> order; // back to front; removed ones leave at the next collect()
@@ -56,6 +65,8 @@ void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affin
 // What a drawing shows at that moment, and where on it.
 std::uint32_t shown_texture(const Scene& scene, const Drawing& drawing, double now);
 Affine texture_place(const Drawing& drawing);
+Surface surface_of(const Scene& scene, const Drawing& drawing, std::uint32_t shown);
+float glow_of(const Drawing& drawing, const Surface& surface);
 
 // The pose part of the way (0..1) from a to b, turning the shorter way round.
 Pose between(const Pose& a, const Pose& b, float part);

@@ -94,7 +94,8 @@ bool repeats(const Context& context, const draw::Mesh& mesh, const Affine& to_te
 // What all quads of an instance share.
 struct Look {
     Quad quad;
-    std::uint32_t flags = 0, facets = 0, texture = draw::kNoTexture;
+    std::uint32_t flags = 0, facets = 0;
+    std::uint32_t texture = draw::kNoTexture, normals = draw::kNoTexture, glows = draw::kNoTexture;
     draw::Blend blend = draw::Blend::over; // as in Batch
 };
 
@@ -114,10 +115,16 @@ Look look_of(const Context& context, const draw::Instance& instance, const Shape
         look.flags |= kAdds;
     else
         look.blend = instance.blend;
-    const std::uint32_t id = instance.texture;
-    if (id == draw::kNoTexture || id >= context.held.size() || !context.held[id]) return look;
-    look.texture = id;
-    look.flags |= kTextured;
+    const auto held = [&](std::uint32_t id) {
+        return id < context.held.size() && context.held[id] ? id : draw::kNoTexture;
+    };
+    quad.surface = static_cast<std::uint32_t>(std::lround(instance.glow * kGlowSteps)) << 8;
+    look.texture = held(instance.texture);
+    if (instance.lit && context.list.light.directed) look.normals = held(instance.normals);
+    if (instance.glow > 0.0f) look.glows = held(instance.glows);
+    if (look.texture != draw::kNoTexture) look.flags |= kTextured;
+    if (look.texture == draw::kNoTexture && look.normals == draw::kNoTexture && look.glows == draw::kNoTexture)
+        return look;
     if (repeats(context, mesh, t)) look.flags |= kRepeat;
     if (mesh.inside > 0) look.flags |= kFine;
     if (shape.facets > 0) {
@@ -143,20 +150,25 @@ Batch& begin_batch(Frame& frame, draw::Blend blend) {
     return frame.batches.emplace_back(next);
 }
 
-// The unit of the texture in the last batch, after beginning a new one if it has no room for it.
-std::uint32_t unit_of(Frame& frame, std::uint32_t texture) {
-    Batch& batch = frame.batches.back();
+// The unit of the texture in a batch, which takes it up; kUnits if it has no room for it.
+std::uint32_t unit_of(Batch& batch, std::uint32_t texture) {
     const auto used = batch.textures.begin() + batch.units;
     const auto found = std::find(batch.textures.begin(), used, texture);
     if (found != used) return static_cast<std::uint32_t>(found - batch.textures.begin());
-    if (batch.units < kUnits) {
-        batch.textures[batch.units] = texture;
-        return batch.units++;
-    }
-    Batch& next = begin_batch(frame, batch.blend);
-    next.textures[0] = texture;
-    next.units = 1;
-    return 0;
+    if (batch.units == kUnits) return kUnits;
+    batch.textures[batch.units] = texture;
+    return batch.units++;
+}
+
+// Whether a batch has room for all pictures of a look; then the quad knows their units.
+bool take_up(Batch& batch, const Look& look, Quad& quad) {
+    constexpr std::uint32_t kNo = draw::kNoTexture;
+    const std::uint32_t unit = look.texture == kNo ? 0 : unit_of(batch, look.texture);
+    const std::uint32_t normals = look.normals == kNo ? 0 : 1 + unit_of(batch, look.normals);
+    const std::uint32_t glows = look.glows == kNo ? 0 : 1 + unit_of(batch, look.glows);
+    quad.how |= unit << 12;
+    quad.surface |= normals | glows << 4;
+    return unit < kUnits && normals <= kUnits && glows <= kUnits;
 }
 
 void put(Context& context, const Look& look, Cover cover) {
@@ -166,11 +178,16 @@ void put(Context& context, const Look& look, Cover cover) {
     const bool fits =
         !frame.batches.empty() && !frame.batches.back().interlude && frame.batches.back().blend == look.blend;
     if (!fits) begin_batch(frame, look.blend);
-    if (look.flags & kTextured) quad.how |= unit_of(frame, look.texture) << 12;
-    frame.quads.push_back(quad);
+    Quad placed = quad;
+    if (!take_up(frame.batches.back(), look, placed)) {
+        placed = quad;
+        take_up(begin_batch(frame, look.blend), look, placed);
+    }
+    frame.quads.push_back(placed);
     Batch& batch = frame.batches.back();
     ++batch.count;
     batch.facets |= look.facets > 0;
+    batch.surfaces |= placed.surface != 0;
 }
 
 void set_pixel_box(Look& look, const Bounds& box) {

@@ -53,8 +53,9 @@ struct Quad {
     std::uint32_t first_facet = 0;
     std::uint32_t how = 0; // Cover | Flag << 4 | unit << 12 | count of facets << 16
     std::uint32_t tint = 0xffffffffu;
+    std::uint32_t surface = 0; // 1 + unit of normals | 1 + unit of what glows << 4 | how strongly, in kGlowSteps << 8
 };
-static_assert(sizeof(Quad) == 25 * 4, "no padding: the shader reads it as it is");
+static_assert(sizeof(Quad) == 26 * 4, "no padding: the shader reads it as it is");
 
 inline constexpr std::uint32_t kUnits = 8;           // pictures that one draw call can mix
 inline constexpr std::uint32_t kMostFacets = 0xffff; // what `how` has room for
@@ -62,10 +63,13 @@ inline constexpr std::uint32_t to_how(Cover cover, std::uint32_t flags, std::uin
     return static_cast<std::uint32_t>(cover) | flags << 4 | facets << 16;
 }
 
+inline constexpr float kGlowSteps = 1024.0f; // to 1 (GLOW_STEPS in shape.frag)
+
 struct Batch { // quads of one draw call, or an interlude between such
     std::uint32_t first = 0, count = 0;
     std::optional<draw::Interlude> interlude;
     bool facets = false;                   // whether any of them has some
+    bool surfaces = false;                 // whether any of them has normals or glows
     draw::Blend blend = draw::Blend::over; // over, which serves add too; multiply; screen
     std::uint32_t units = 0;               // how many of `textures` are in use
     std::array<std::uint32_t, kUnits> textures{};

@@ -56,6 +56,7 @@ bool to_lamp(Lamp& lamp, const Light& light, const World& world, const Grid& gri
     lamp.parallel = light.reach == Reach::parallel;
     lamp.spot = light.reach == Reach::cone;
     const float reach = lamp.reach = light.radius * grid.scale;
+    lamp.height = lamp.parallel ? 0.0f : kHeight * reach;
     lamp.size = !soft ? kHard : lamp.parallel ? light.size * kFar : std::max(light.size * grid.scale, kHard);
     lamp.quarters = static_cast<int>(std::lround(4.0f * light.falloff));
     const float widest = sincos(0.5 * light.cone).cos, full = sincos(0.5 * light.cone * (1.0f - light.edge)).cos;
@@ -129,12 +130,20 @@ bool all_solid(std::span<const std::uint8_t> solid, const Patch& patch) {
     return true;
 }
 
+// Where light is added up: three planes, or nine with the ways that it comes from.
+Planes planes_at(float* first, std::size_t plane, bool directed) {
+    Planes planes{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        planes.light[c] = first + c * plane;
+        if (directed) planes.across[c] = first + (3 + c) * plane, planes.down[c] = first + (6 + c) * plane;
+    }
+    return planes;
+}
+
 // One row of patches.
-void shade_row(Scratch& scratch, std::span<const Scratch::Cast> casts, const Grid& grid, int top, float* planes,
+void shade_row(Scratch& scratch, std::span<const Scratch::Cast> casts, const Grid& grid, int top, const Planes& to,
                InstructionSet set) {
     Scratch::Row& row = scratch.rows[static_cast<std::size_t>(top / kPatch)];
-    const std::size_t plane = static_cast<std::size_t>(grid.stride) * grid.height;
-    const Planes to{planes, planes + plane, planes + 2 * plane};
     const Casters& all = scratch.casters;
     Patch patch{0, top, std::min(kPatch, grid.height - top), grid.stride};
     const float radius = 0.5f * std::sqrt(2.0f) * kPatch;
@@ -154,44 +163,50 @@ void shade_row(Scratch& scratch, std::span<const Scratch::Cast> casts, const Gri
     }
 }
 
-void shade(Scratch& scratch, std::span<const Scratch::Cast> casts, const Grid& grid, float* planes, World& world) {
+void shade(Scratch& scratch, std::span<const Scratch::Cast> casts, const Grid& grid, const Planes& to, World& world) {
     if (casts.empty()) return;
     const auto rows = static_cast<std::size_t>((grid.height + kPatch - 1) / kPatch);
     if (scratch.rows.size() < rows) scratch.rows.resize(rows);
     parallel_for(world.threads, rows, 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t row = first; row < last; ++row)
-            shade_row(scratch, casts, grid, static_cast<int>(row) * kPatch, planes, world.instruction_set);
+            shade_row(scratch, casts, grid, static_cast<int>(row) * kPatch, to, world.instruction_set);
     });
 }
 
-// Light of lamps with shadows, on and in bodies, is added to the rest.
-void add_shaded(Scratch& scratch, const Grid& grid, int reach, float* open, const float* shaded, Threads& threads) {
+// Three planes of lamps with shadows, on and in bodies, are added to the rest.
+void add_shaded(Scratch& scratch, const Grid& grid, int reach, float* const open[3], const float* const shaded[3],
+                Threads& threads) {
     const std::size_t count = static_cast<std::size_t>(grid.stride) * grid.height;
     const bool bodies = std::ranges::find(scratch.solid, std::uint8_t{1}) != scratch.solid.end();
     if (!bodies) {
-        for (std::size_t i = 0; i < 3 * count; ++i) open[i] += shaded[i];
+        for (std::size_t c = 0; c < 3; ++c)
+            for (std::size_t i = 0; i < count; ++i) open[c][i] += shaded[c][i];
         return;
     }
     scratch.soft.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         const float air = scratch.solid[i] ? 0.0f : 1.0f;
-        scratch.soft[i] = {air * shaded[i], air * shaded[count + i], air * shaded[2 * count + i], air};
+        scratch.soft[i] = {air * shaded[0][i], air * shaded[1][i], air * shaded[2][i], air};
     }
     soak(scratch.soft, scratch.solid, grid.stride, grid.height, reach, scratch.blurred, scratch.other, threads);
     for (std::size_t i = 0; i < count; ++i) {
-        open[i] += scratch.soft[i].red;
-        open[count + i] += scratch.soft[i].green;
-        open[2 * count + i] += scratch.soft[i].blue;
+        open[0][i] += scratch.soft[i].red;
+        open[1][i] += scratch.soft[i].green;
+        open[2][i] += scratch.soft[i].blue;
     }
 }
 
-void pack(LightMap& map, const Grid& grid, const float* planes, InstructionSet set) {
-    const std::size_t plane = static_cast<std::size_t>(grid.stride) * grid.height;
-    map.texels.resize(static_cast<std::size_t>(map.width) * map.height);
+void pack(LightMap& map, const Grid& grid, const Planes& planes, InstructionSet set) {
+    const std::size_t count = static_cast<std::size_t>(map.width) * map.height;
+    map.texels.resize(count);
+    if (map.directed) map.across.resize(count), map.down.resize(count);
     for (int y = 0; y < map.height; ++y) {
-        const float* row = planes + static_cast<std::size_t>(y) * grid.stride;
-        EVIL_PICK(set, pack_factors_wide)
-        (row, row + plane, row + 2 * plane, map.width, map.texels.data() + static_cast<std::size_t>(y) * map.width);
+        const int from = y * grid.stride;
+        const std::size_t to = static_cast<std::size_t>(y) * map.width;
+        EVIL_PICK(set, pack_factors_wide)(planes.light, from, map.width, &map.texels[to]);
+        if (!map.directed) continue;
+        EVIL_PICK(set, pack_ways_wide)(planes.light, planes.across, from, map.width, &map.across[to]);
+        EVIL_PICK(set, pack_ways_wide)(planes.light, planes.down, from, map.width, &map.down[to]);
     }
 }
 
@@ -206,17 +221,20 @@ void remove_orphans(Lights& lights, const Slots& bodies) {
 void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& look, World& world, const Affine& view,
              float alpha, int width, int height) {
     map.on = look.on;
+    map.directed = look.on && look.directed;
     if (!map.on) return;
     const Grid grid = lay_out(map, view, look.step, width, height);
     gather(scratch.casters, world, grid.to_texel, alpha);
     find_lamps(scratch, lights, world, grid, alpha, look.quality != Quality::low);
 
     const std::size_t plane = static_cast<std::size_t>(grid.stride) * grid.height;
-    scratch.planes.assign(6 * plane, 0.0f);
+    const std::size_t planes = look.directed ? 9 : 3;
+    scratch.planes.assign(2 * planes * plane, 0.0f);
     scratch.solid.assign(plane, 0);
-    float *open = scratch.planes.data(), *shaded = open + 3 * plane;
+    const Planes open = planes_at(scratch.planes.data(), plane, look.directed);
+    const Planes shaded = planes_at(scratch.planes.data() + planes * plane, plane, look.directed);
     const Rgb ambient = linear(look.ambient, look.strength);
-    for (std::size_t i = 0; i < 3; ++i) std::fill_n(open + i * plane, plane, ambient[i]);
+    for (std::size_t i = 0; i < 3; ++i) std::fill_n(open.light[i], plane, ambient[i]);
     shade(scratch, std::span(scratch.open).first(scratch.open_count), grid, open, world);
     if (scratch.shaded_count > 0 || look.quality == Quality::high) {
         for (const Caster& caster : scratch.casters.rows)
@@ -224,10 +242,15 @@ void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& 
                                Covers::middle);
         shade(scratch, std::span(scratch.shaded).first(scratch.shaded_count), grid, shaded, world);
         if (look.quality == Quality::high)
-            add_bounced(scratch.bounce, {grid.stride, grid.height, grid.stride, grid.left, grid.top, open, shaded},
+            add_bounced(scratch.bounce,
+                        {grid.stride, grid.height, grid.stride, grid.left, grid.top, open.light[0], shaded.light[0]},
                         {ambient, look.bounce, look.shade * grid.scale}, scratch.casters, world);
         const int reach = std::clamp(static_cast<int>(std::lround(look.depth * grid.scale)), 1, grid.width);
-        add_shaded(scratch, grid, reach, open, shaded, world.threads);
+        add_shaded(scratch, grid, reach, open.light, shaded.light, world.threads);
+        if (look.directed) {
+            add_shaded(scratch, grid, reach, open.across, shaded.across, world.threads);
+            add_shaded(scratch, grid, reach, open.down, shaded.down, world.threads);
+        }
     }
     pack(map, grid, open, world.instruction_set);
 }

@@ -12,13 +12,14 @@ enum class Quality : std::uint8_t { low, medium, high }; // hard shadows; soft o
 
 struct Look {
     Quality quality = Quality::medium;
-    Rgb ambient{};       // as on the screen: the light that is everywhere
-    float strength = 1;  // of the ambient light
-    float depth = 0.5f;  // metres that light soaks into bodies
-    float bounce = 1.0f; // high: how much of the light that falls on them surfaces send on
-    float shade = 2.0f;  // high: metres within which bodies keep ambient light away
-    int step = 2;        // pixels a texel
-    bool on = false;     // off: nothing is lit
+    Rgb ambient{};         // as on the screen: the light that is everywhere
+    float strength = 1;    // of the ambient light
+    float depth = 0.5f;    // metres that light soaks into bodies
+    float bounce = 1.0f;   // high: how much of the light that falls on them surfaces send on
+    float shade = 2.0f;    // high: metres within which bodies keep ambient light away
+    int step = 2;          // pixels a texel
+    bool on = false;       // off: nothing is lit
+    bool directed = false; // something lit has normals
 };
 
 struct Scratch {  // losing it changes nothing
@@ -34,7 +35,7 @@ struct Scratch {  // losing it changes nothing
     std::vector<Cast> open, shaded; // lamps without and with shadows
     std::size_t open_count = 0, shaded_count = 0;
     std::vector<Row> rows;
-    std::vector<float> planes; // red, green, blue: light of open lamps, then of shaded ones
+    std::vector<float> planes; // red, green, blue: light of open lamps, then of shaded ones; where directed, ways too
     std::vector<std::uint8_t> solid;
     std::vector<Soft> soft, blurred, other;
     Bounce bounce; // its colours are the caller's to find

@@ -34,12 +34,14 @@ struct Lamp {
     bool parallel = false, spot = false;
     float cone_middle = 0.0f, cone_slope = 0.0f; // a spot's share of light is (cosine - middle) * slope, within 0..1
     float glow[3] = {};                          // linear
+    float height = 0.0f;                         // before the picture
 };
 
 inline constexpr float kFar = 65536.0f; // texels to a sun: further than a map is wide, near enough for floats
 
-struct Planes { // rows of floats, `stride` apart
-    float *red, *green, *blue;
+struct Planes { // rows of floats, `stride` apart: red, green, blue
+    float* light[3];
+    float *across[3], *down[3]; // null, or the sums of light times the way that it comes from
 };
 
 struct Patch { // eight texels wide, `rows` high

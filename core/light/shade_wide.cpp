@@ -166,6 +166,30 @@ EVIL_INLINE Ints to_factor(Floats linear) {
     return round_to_int(clamp(to_screen(max(linear, 0.0f)) * static_cast<float>(light::kFactorOne), 0.0f, kMost));
 }
 
+EVIL_INLINE Ints to_way(Floats sum, Floats light) { // nowhere where there is no light
+    constexpr float kHalf = static_cast<float>(light::kFactorOne / 2);
+    Floats mean = select(light > 1e-9f, sum / max(light, 1e-9f), 0.0f);
+    return round_to_int(clamp(mean, -1.0f, 1.0f) * kHalf + kHalf);
+}
+
+EVIL_INLINE void pack(std::uint64_t* to, int count, Ints red, Ints green, Ints blue) {
+    std::int32_t r[8], g[8], b[8];
+    store(r, red), store(g, green), store(b, blue);
+    for (int lane = 0; lane < 8 && lane < count; ++lane)
+        to[lane] = static_cast<std::uint64_t>(r[lane]) << 2 * light::kFactorApart |
+                   static_cast<std::uint64_t>(g[lane]) << light::kFactorApart | static_cast<std::uint64_t>(b[lane]);
+}
+
+// The way that light comes from, as long as it lies in the picture's plane, for a lamp before it.
+EVIL_INLINE void add_ways(const light::Planes& planes, int at, const Lamp& lamp, const View& v, Floats light) {
+    Floats lean = v.distance / sqrt(v.distance * v.distance + lamp.height * lamp.height), amount = light * lean;
+    Floats across = v.ex * amount, down = v.ey * amount;
+    for (int c = 0; c < 3; ++c) {
+        add(planes.across[c] + at, across * lamp.glow[c]);
+        add(planes.down[c] + at, down * lamp.glow[c]);
+    }
+}
+
 } // namespace
 
 void shade_patch_wide(const Lamp& lamp, const Caster* casters, const std::uint32_t* which, int count,
@@ -191,21 +215,23 @@ void shade_patch_wide(const Lamp& lamp, const Caster* casters, const std::uint32
         if (dark) continue;
         if (intervals > 0) light *= seen(hidden, intervals);
         const int at = (patch.y + row) * patch.stride + patch.x;
-        add(planes.red + at, light * lamp.glow[0]);
-        add(planes.green + at, light * lamp.glow[1]);
-        add(planes.blue + at, light * lamp.glow[2]);
+        for (int c = 0; c < 3; ++c) add(planes.light[c] + at, light * lamp.glow[c]);
+        if (planes.across[0]) add_ways(planes, at, lamp, v, light);
     }
 }
 
-void pack_factors_wide(const float* red, const float* green, const float* blue, int count, std::uint64_t* to) noexcept {
-    std::int32_t r[8], g[8], b[8];
-    for (int i = 0; i < count; i += 8) {
-        store(r, to_factor(load(red + i))), store(g, to_factor(load(green + i))), store(b, to_factor(load(blue + i)));
-        for (int lane = 0; lane < 8 && i + lane < count; ++lane)
-            to[i + lane] = static_cast<std::uint64_t>(r[lane]) << 2 * light::kFactorApart |
-                           static_cast<std::uint64_t>(g[lane]) << light::kFactorApart |
-                           static_cast<std::uint64_t>(b[lane]);
-    }
+void pack_factors_wide(const float* const light[3], int at, int count, std::uint64_t* to) noexcept {
+    for (int i = 0; i < count; i += 8)
+        pack(to + i, count - i, to_factor(load(light[0] + at + i)), to_factor(load(light[1] + at + i)),
+             to_factor(load(light[2] + at + i)));
+}
+
+void pack_ways_wide(const float* const light[3], const float* const ways[3], int at, int count,
+                    std::uint64_t* to) noexcept {
+    for (int i = 0; i < count; i += 8)
+        pack(to + i, count - i, to_way(load(ways[0] + at + i), load(light[0] + at + i)),
+             to_way(load(ways[1] + at + i), load(light[1] + at + i)),
+             to_way(load(ways[2] + at + i), load(light[2] + at + i)));
 }
 
 } // namespace evil::EVIL_ISA

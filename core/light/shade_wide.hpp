@@ -10,8 +10,10 @@ EVIL_WIDE(
 void shade_patch_wide(const light::Lamp& lamp, const light::Caster* casters, const std::uint32_t* which, int count,
                       const Vec2* corners, const light::Patch& patch, const light::Planes& planes,
                       light::Hidden* hidden) noexcept;
-// Linear light to the power of kToScreen, as packed factors.
-void pack_factors_wide(const float* red, const float* green, const float* blue, int count, std::uint64_t* to) noexcept;)
+// Of three planes, from `at` on. Linear light to the power of kToScreen, as packed factors; and sums of ways over light.
+void pack_factors_wide(const float* const light[3], int at, int count, std::uint64_t* to) noexcept;
+void pack_ways_wide(const float* const light[3], const float* const ways[3], int at, int count,
+                    std::uint64_t* to) noexcept;)
 // clang-format on
 
 } // namespace evil

@@ -55,18 +55,23 @@ void begin(LightRows& rows, const light::LightMap& map, const Target& target) {
     if (!map.on) return;
     rows.width = target.width;
     rows.stride = target.width + 8; // read in eights
-    rows.factors.resize(static_cast<std::size_t>(rows.stride) * target.height);
-    rows.ready.assign(target.height, false);
     rows.between.resize(map.width);
+    const auto use = [&](LightRows::Plane& plane, const std::vector<Factors>& texels) {
+        plane.texels = &texels;
+        plane.factors.resize(static_cast<std::size_t>(rows.stride) * target.height);
+        plane.ready.assign(target.height, false);
+    };
+    use(rows.light, map.texels);
+    if (map.directed) use(rows.across, map.across), use(rows.down, map.down);
 }
 
-const std::uint32_t* row_of(LightRows& rows, int y) {
-    std::uint32_t* row = rows.factors.data() + static_cast<std::size_t>(rows.stride) * y;
-    if (rows.ready[y]) return row;
-    rows.ready[y] = true;
+const std::uint32_t* row_of(LightRows& rows, LightRows::Plane& plane, int y) {
+    std::uint32_t* row = plane.factors.data() + static_cast<std::size_t>(rows.stride) * y;
+    if (plane.ready[y]) return row;
+    plane.ready[y] = true;
     const light::LightMap& map = *rows.map;
     const Place down = place_of(y, map.first.y, map.step, map.height);
-    const Factors* above = map.texels.data() + static_cast<std::size_t>(down.texel) * map.width;
+    const Factors* above = plane.texels->data() + static_cast<std::size_t>(down.texel) * map.width;
     const Factors* below = down.texel + 1 < map.height ? above + map.width : above;
     for (int x = 0; x < map.width; ++x) rows.between[x] = mix(above[x], below[x], down.weight);
     for (int x = 0; x < rows.width; ++x) {

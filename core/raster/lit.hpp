@@ -7,15 +7,19 @@
 namespace evil::raster {
 
 struct LightRows { // scratch of one frame
+    struct Plane {
+        const std::vector<light::Factors>* texels = nullptr;
+        std::vector<std::uint32_t> factors; // 10 bits a channel, red lowest
+        std::vector<bool> ready;            // by row
+    };
     const light::LightMap* map = nullptr;
     int width = 0, stride = 0;
-    std::vector<std::uint32_t> factors;  // as light_up() takes them
-    std::vector<bool> ready;             // by row
+    Plane light, across, down;           // as light_up() and bend() take them
     std::vector<light::Factors> between; // one row of the map
 };
 
 void begin(LightRows& rows, const light::LightMap& map, const Target& target);
-const std::uint32_t* row_of(LightRows& rows, int y);
+const std::uint32_t* row_of(LightRows& rows, LightRows::Plane& plane, int y); // of `rows`
 
 // Sixteen numbers for light_up(), of a run that begins at pixel x, y.
 const std::int32_t* dither_at(int x, int y);

@@ -84,18 +84,26 @@ const Picture* level_for(const Texture& texture, const Piece& piece, bool fine) 
     return &texture.levels[level];
 }
 
+bool is_any(const Pictures& pictures) { return pictures.colours || pictures.normals || pictures.glows; }
+
+void pick_levels(Piece& piece, const Pictures& pictures, bool fine) {
+    if (pictures.colours) piece.picture = level_for(*pictures.colours, piece, fine);
+    if (pictures.normals) piece.normals = level_for(*pictures.normals, piece, fine);
+    if (pictures.glows) piece.glows = level_for(*pictures.glows, piece, fine);
+}
+
 bool outside_picture(double u, double v) { return !(u > -0.001 && u < 1.001 && v > -0.001 && v < 1.001); }
 
-void use_first_corner(Paint& paint, const Corner& corner, const Texture* texture) { // nothing to interpolate over
+void use_first_corner(Paint& paint, const Corner& corner, const Pictures& pictures) { // nothing to interpolate over
     Piece piece;
     piece.u.at = corner.u, piece.v.at = corner.v;
     for (int i = 0; i < 4; ++i) piece.channel[i].at = piece.least[i] = piece.most[i] = corner.channel[i];
-    if (texture) piece.picture = &texture->levels[0];
+    pick_levels(piece, pictures, false);
     paint.pieces.push_back(piece);
 }
 
 void prepare_circle(Paint& paint, const draw::Vertex& centre, const draw::Mesh& mesh, const draw::Instance& instance,
-                    const Texture* texture) {
+                    const Pictures& pictures) {
     const float r = mesh.radius;
     auto corner = [&](float x, float y) {
         return corner_at(instance, {centre.at.x + x * r, centre.at.y + y * r}, {0.5f + 0.5f * x, 0.5f - 0.5f * y},
@@ -104,13 +112,13 @@ void prepare_circle(Paint& paint, const draw::Vertex& centre, const draw::Mesh& 
     const Corner a = corner(0, 0), b = corner(1, 0), c = corner(0, 1);
     paint.flat = to_pixel(a.channel);
     paint.coloured = false;
-    if (!texture) return;
+    if (!is_any(pictures)) return;
     auto reach = [](double p, double q) { return std::sqrt(p * p + q * q); };
     const double du = reach(b.u - a.u, c.u - a.u), dv = reach(b.v - a.v, c.v - a.v);
     paint.repeat = outside_picture(a.u - du, a.v - dv) || outside_picture(a.u + du, a.v + dv);
     Piece piece;
-    if (!make_piece(piece, a, b, c)) return use_first_corner(paint, a, texture);
-    piece.picture = level_for(*texture, piece, false);
+    if (!make_piece(piece, a, b, c)) return use_first_corner(paint, a, pictures);
+    pick_levels(piece, pictures, false);
     paint.pieces.push_back(piece);
 }
 
@@ -130,14 +138,15 @@ bool largest_piece(Piece& piece, std::span<const Corner> corners, std::span<cons
 }
 
 void prepare_polygon(Paint& paint, std::span<const draw::Vertex> vertices, std::span<const std::uint32_t> triangles,
-                     const draw::Instance& instance, const Texture* texture, bool sliced) {
+                     const draw::Instance& instance, const Pictures& pictures, bool sliced) {
     std::vector<Corner>& corners = paint.corners;
     corners.clear();
     for (const draw::Vertex& vertex : vertices)
         corners.push_back(corner_at(instance, vertex.at, vertex.uv, vertex.colour));
-    if (texture) paint.repeat = std::ranges::any_of(corners, [](const Corner& c) { return outside_picture(c.u, c.v); });
+    if (is_any(pictures))
+        paint.repeat = std::ranges::any_of(corners, [](const Corner& c) { return outside_picture(c.u, c.v); });
     Piece piece;
-    if (!largest_piece(piece, corners, triangles)) return use_first_corner(paint, corners[0], texture);
+    if (!largest_piece(piece, corners, triangles)) return use_first_corner(paint, corners[0], pictures);
     if (fits(piece, corners)) {
         for (const Corner& corner : corners)
             for (int i = 0; i < 4; ++i) {
@@ -151,8 +160,7 @@ void prepare_polygon(Paint& paint, std::span<const draw::Vertex> vertices, std::
                 paint.pieces.push_back(piece);
         if (paint.pieces.empty()) paint.pieces.push_back(piece);
     }
-    if (texture)
-        for (Piece& each : paint.pieces) each.picture = level_for(*texture, each, sliced);
+    for (Piece& each : paint.pieces) pick_levels(each, pictures, sliced);
 }
 
 // Where the piece lies in the row whose middle is y: the stretch of its inside there. A triangle that only reaches into the
@@ -204,8 +212,8 @@ std::uint32_t to_texels(double position) { // 16.16
         static_cast<std::int32_t>(std::floor(bounded(position, 30000.0) * 65536.0 + 0.5)));
 }
 
-void sample_run(Set set, const Piece& piece, bool repeat, double x, double y, int count, Pixel* out) {
-    const Picture& picture = *piece.picture;
+void sample_run(Set set, const Piece& piece, const Picture& picture, bool repeat, double x, double y, int count,
+                Pixel* out) {
     Walk walk;
     walk.texels = picture.texels.data();
     walk.width = picture.width, walk.height = picture.height;
@@ -240,7 +248,7 @@ void ramp_run(Set set, const Piece& piece, double x, double y, int count, Pixel*
 void paint_run(Paint& paint, Set set, const Piece& piece, int y, int left, int right, Pixel* out) {
     const int count = right - left;
     const double x = left + 0.5, middle = y + 0.5;
-    if (paint.textured) sample_run(set, piece, paint.repeat, x, middle, count, out);
+    if (paint.textured) sample_run(set, piece, *piece.picture, paint.repeat, x, middle, count, out);
     if (paint.coloured) {
         const std::size_t room = static_cast<std::size_t>(count) + 8;
         if (paint.colours.size() < room) paint.colours.resize(room);
@@ -251,37 +259,76 @@ void paint_run(Paint& paint, Set set, const Piece& piece, int y, int left, int r
     }
 }
 
-} // namespace
-
-void prepare(Paint& paint, const draw::DrawList& list, const draw::Mesh& mesh, const draw::Instance& instance,
-             const Texture* texture) {
-    if (texture && texture->levels.empty()) texture = nullptr;
-    paint.pieces.clear();
-    paint.textured = texture != nullptr;
-    paint.repeat = false;
-    paint.coloured = mesh.coloured_corners;
-    paint.flat = premultiply(instance.tint);
-    if (is_flat(paint)) return;
-    const std::span<const draw::Vertex> vertices{list.vertices.data() + mesh.first_vertex,
-                                                 mesh.vertex_count + mesh.inside};
-    if (mesh.kind == draw::MeshKind::circle) {
-        prepare_circle(paint, vertices[0], mesh, instance, texture);
-    } else {
-        const std::span<const std::uint32_t> triangles{list.indices.data() + mesh.first_index, mesh.index_count};
-        prepare_polygon(paint, vertices, triangles, instance, texture, mesh.inside > 0);
-    }
-}
-
-void paint_row(Paint& paint, Set set, int y, int left, int right, Pixel* out) {
-    if (paint.pieces.size() == 1) return paint_run(paint, set, paint.pieces[0], y, left, right, out);
+// The share of each piece in a row: f(piece, from, to).
+template <class F> void each_run(Paint& paint, int y, int left, int right, F&& f) {
+    if (paint.pieces.size() == 1) return f(paint.pieces[0], left, right);
     find_runs(paint, y);
     int at = left;
     for (const Paint::Run& run : paint.runs) {
         // The last pixel whose centre lies before the run's end.
         const int end = static_cast<int>(std::clamp(std::ceil(run.last - 0.5), double(at), double(right)));
-        if (end > at) paint_run(paint, set, *run.piece, y, at, end, out + (at - left));
+        if (end > at) f(*run.piece, at, end);
         at = end;
     }
+}
+
+// From normals as the picture has them, x along u and y against v, to pixels: however it is turned, mirrored or stretched.
+Turn turn_of(const Piece& piece) {
+    const auto unit = [](const Plane& plane, double sign, float& x, float& y) {
+        const double size = std::sqrt(plane.dx * plane.dx + plane.dy * plane.dy), by = size > 0.0 ? sign / size : 0.0;
+        x = static_cast<float>(plane.dx * by), y = static_cast<float>(plane.dy * by);
+    };
+    Turn turn;
+    unit(piece.u, 1.0, turn.xx, turn.xy);
+    unit(piece.v, -1.0, turn.yx, turn.yy);
+    return turn;
+}
+
+} // namespace
+
+void prepare(Paint& paint, const draw::DrawList& list, const draw::Mesh& mesh, const draw::Instance& instance,
+             Pictures pictures) {
+    for (const Texture** each : {&pictures.colours, &pictures.normals, &pictures.glows})
+        if (*each && (*each)->levels.empty()) *each = nullptr;
+    paint.pieces.clear();
+    paint.textured = pictures.colours != nullptr;
+    paint.bumpy = pictures.normals != nullptr, paint.glowing = pictures.glows != nullptr;
+    paint.repeat = false;
+    paint.coloured = mesh.coloured_corners;
+    paint.flat = paint.tint = premultiply(instance.tint);
+    if (is_flat(paint) && !is_any(pictures)) return;
+    const std::span<const draw::Vertex> vertices{list.vertices.data() + mesh.first_vertex,
+                                                 mesh.vertex_count + mesh.inside};
+    if (mesh.kind == draw::MeshKind::circle) {
+        prepare_circle(paint, vertices[0], mesh, instance, pictures);
+    } else {
+        const std::span<const std::uint32_t> triangles{list.indices.data() + mesh.first_index, mesh.index_count};
+        prepare_polygon(paint, vertices, triangles, instance, pictures, mesh.inside > 0);
+    }
+}
+
+void paint_row(Paint& paint, Set set, int y, int left, int right, Pixel* out) {
+    each_run(paint, y, left, right, [&](const Piece& piece, int from, int to) {
+        paint_run(paint, set, piece, y, from, to, out + (from - left));
+    });
+}
+
+void paint_glow(Paint& paint, Set set, int y, int left, int right, Pixel* out) {
+    each_run(paint, y, left, right, [&](const Piece& piece, int from, int to) {
+        sample_run(set, piece, *piece.glows, paint.repeat, from + 0.5, y + 0.5, to - from, out + (from - left));
+    });
+    modulate_flat(set, out, right - left, paint.tint);
+}
+
+void bend_light(Paint& paint, Set set, int y, int left, int right, const Light& light, std::uint32_t* out) {
+    const std::size_t room = static_cast<std::size_t>(right - left) + 8;
+    if (paint.colours.size() < room) paint.colours.resize(room);
+    each_run(paint, y, left, right, [&](const Piece& piece, int from, int to) {
+        const int at = from - left, count = to - from;
+        sample_run(set, piece, *piece.normals, paint.repeat, from + 0.5, y + 0.5, count, paint.colours.data());
+        bend(set, out + at, light.factors + at, {light.across + at, light.down + at}, paint.colours.data(), count,
+             turn_of(piece));
+    });
 }
 
 } // namespace evil::raster

@@ -18,7 +18,11 @@ struct Piece {
     Plane u, v;                         // of the whole picture: 0..1 across
     Plane channel[4];                   // r, g, b, a, multiplied with alpha: 0..255
     double least[4] = {}, most[4] = {}; // of the channels at the corners
-    const Picture* picture = nullptr;
+    const Picture *picture = nullptr, *normals = nullptr, *glows = nullptr;
+};
+
+struct Pictures { // what an instance is painted with; each may be null or empty
+    const Texture *colours = nullptr, *normals = nullptr, *glows = nullptr;
 };
 
 struct PaintCorner { // of a mesh: where it lies in pixels and what it carries
@@ -28,8 +32,10 @@ struct PaintCorner { // of a mesh: where it lies in pixels and what it carries
 
 struct Paint {
     Pixel flat = 0; // the colour, or what the picture is multiplied with
+    Pixel tint = 0; // the instance's
     bool textured = false, repeat = false;
-    bool coloured = false; // channels take the place of `flat`
+    bool bumpy = false, glowing = false; // with a picture of normals, of what shines by itself
+    bool coloured = false;               // channels take the place of `flat`
     std::vector<Piece> pieces;
 
     std::vector<PaintCorner> corners; // scratch
@@ -41,13 +47,22 @@ struct Paint {
     std::vector<Pixel> colours;
 };
 
-// `texture` may be null or empty: then the instance's tint and corners alone give the colour.
+// Without a picture of colours, the instance's tint and corners alone give them.
 void prepare(Paint& paint, const draw::DrawList& list, const draw::Mesh& mesh, const draw::Instance& instance,
-             const Texture* texture);
+             Pictures pictures);
 
 inline bool is_flat(const Paint& paint) { return !paint.textured && !paint.coloured; }
 
 // Colours of the pixels left..right - 1 of row y. `out` has room for the count rounded up to eights.
 void paint_row(Paint& paint, Set set, int y, int left, int right, Pixel* out);
+
+// The same of the picture of what shines by itself, tinted.
+void paint_glow(Paint& paint, Set set, int y, int left, int right, Pixel* out);
+
+struct Light { // of a run: factors as light_up() takes them, and the ways of bend()
+    const std::uint32_t *factors, *across, *down;
+};
+// What the light becomes by the picture of normals. `out` has room as above.
+void bend_light(Paint& paint, Set set, int y, int left, int right, const Light& light, std::uint32_t* out);
 
 } // namespace evil::raster

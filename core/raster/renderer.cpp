@@ -41,27 +41,44 @@ int cover_of(std::int32_t sum) { // as integrate() does for each pixel
 
 // Draws runs of one row with a paint. The row's colours are worked out once, from its first run on.
 struct Brush {
-    Paint& paint;
+    Scratch& scratch;
+    const draw::Instance& instance;
     Set set;
-    Pixel* line;  // the target's row
-    Pixel* row;   // the paint's colours
-    int y, right; // where the row's last run ends
-    draw::Blend blend;
-    std::int32_t* mask;
+    Pixel* line;      // the target's row
+    int y, right;     // where the row's last run ends
     LightRows* light; // null: it is not lit
     int start = -1;   // where the first one did
+    Paint& paint = scratch.paint;
+    std::int32_t* mask = scratch.mask.data();
+    draw::Blend blend = instance.blend;
 
-    bool is_plain() const { return is_flat(paint) && !light; }
+    bool is_plain() const { return is_flat(paint) && !light && instance.glow == 0.0f; }
     const Pixel* colours(int left) {
-        if (start < 0) {
-            start = left;
-            if (is_flat(paint))
-                fill(set, row, right - left, paint.flat);
-            else
-                paint_row(paint, set, y, left, right, row);
-            if (light) light_up(set, row, row_of(*light, y) + left, right - left, dither_at(left, y));
-        }
-        return row + (left - start);
+        Pixel* row = scratch.row.data();
+        if (start >= 0) return row + (left - start);
+        start = left;
+        const int count = right - left;
+        if (is_flat(paint))
+            fill(set, row, count, paint.flat);
+        else
+            paint_row(paint, set, y, left, right, row);
+        if (instance.glow > 0.0f) keep_glow(left, row);
+        if (light) light_up(set, row, factors(left), count, dither_at(left, y));
+        if (instance.glow > 0.0f) shine(set, row, scratch.glow.data(), count, instance.glow);
+        return row;
+    }
+    void keep_glow(int left, const Pixel* unlit) {
+        if (paint.glowing)
+            paint_glow(paint, set, y, left, right, scratch.glow.data());
+        else
+            std::copy_n(unlit, right - left, scratch.glow.begin());
+    }
+    const std::uint32_t* factors(int left) {
+        const std::uint32_t* flat = row_of(*light, light->light, y) + left;
+        if (!paint.bumpy || !light->map->directed) return flat;
+        const Light all{flat, row_of(*light, light->across, y) + left, row_of(*light, light->down, y) + left};
+        bend_light(paint, set, y, left, right, all, scratch.bent.data());
+        return scratch.bent.data();
     }
     void masked(int left, int end) {
         const int count = end - left;
@@ -108,7 +125,7 @@ void draw_row(Coverage& coverage, int row, Brush& brush) {
     std::fill_n(touched, coverage.words, std::uint64_t{0});
 }
 
-void draw_instance(const draw::DrawList& list, const draw::Instance& instance, const Texture* texture,
+void draw_instance(const draw::DrawList& list, const draw::Instance& instance, const Pictures& pictures,
                    const Target& target, Scratch& scratch, Set set) {
     const draw::Mesh& mesh = list.meshes[instance.mesh];
     if (instance.tint >> 24 == 0 || std::isnan(instance.outline)) return;
@@ -123,11 +140,10 @@ void draw_instance(const draw::DrawList& list, const draw::Instance& instance, c
         add_loop(scratch.coverage, std::span(scratch.loops.points).subspan(first, end - first));
         first = end;
     }
-    prepare(scratch.paint, list, mesh, instance, texture);
+    prepare(scratch.paint, list, mesh, instance, pictures);
     LightRows* light = instance.lit && list.light.on ? &scratch.light : nullptr;
     for (int y = box.top; y < box.bottom; ++y) {
-        Brush brush{scratch.paint,       set,  row_of(target, y), scratch.row.data(), y, box.right, instance.blend,
-                    scratch.mask.data(), light};
+        Brush brush{scratch, instance, set, row_of(target, y), y, box.right, light};
         draw_row(scratch.coverage, y - box.top, brush);
     }
 }
@@ -152,7 +168,7 @@ void render(const draw::DrawList& list, std::optional<draw::Rgba8> background, s
         fill(set, row_of(target, y), target.width, premultiply(*background));
     const std::size_t room = static_cast<std::size_t>(target.width) + 4 * kBlock;
     if (scratch.mask.size() < room) scratch.mask.resize(room);
-    if (scratch.row.size() < room) scratch.row.resize(room);
+    if (scratch.row.size() < room) scratch.row.resize(room), scratch.glow.resize(room), scratch.bent.resize(room);
 
     begin(scratch.light, list.light, target);
 
@@ -167,8 +183,11 @@ void render(const draw::DrawList& list, std::optional<draw::Rgba8> background, s
         do_interludes(i);
         const draw::Instance& instance = list.instances[i];
         if (instance.mesh >= list.meshes.size() || !sound[instance.mesh]) continue;
-        const bool found = instance.texture != draw::kNoTexture && instance.texture < textures.size();
-        draw_instance(list, instance, found ? &textures[instance.texture] : nullptr, target, scratch, set);
+        const auto picture = [&](std::uint32_t id) {
+            return id != draw::kNoTexture && id < textures.size() ? &textures[id] : nullptr;
+        };
+        const Pictures pictures{picture(instance.texture), picture(instance.normals), picture(instance.glows)};
+        draw_instance(list, instance, pictures, target, scratch, set);
     }
     do_interludes(list.instances.size());
 }

@@ -22,7 +22,8 @@ struct Scratch { // losing it changes nothing
     Paint paint;
     LightRows light;
     std::vector<std::int32_t> mask;
-    std::vector<Pixel> row;
+    std::vector<Pixel> row, glow;    // colours of one row, and what shines by itself
+    std::vector<std::uint32_t> bent; // light on it, as its normals take it up
     Pyramid pyramid;
 };
 

@@ -1,5 +1,6 @@
 #include "raster/spans.hpp"
 #include "raster/spans_wide.hpp"
+#include "raster/surface_wide.hpp"
 
 namespace evil::raster {
 
@@ -53,6 +54,15 @@ void modulate_flat(Set set, Pixel* row, int count, Pixel by) noexcept {
 
 void light_up(Set set, Pixel* row, const std::uint32_t* factors, int count, const std::int32_t* dither) noexcept {
     EVIL_PICK(set, light_up_wide)(row, factors, count, dither);
+}
+
+void bend(Set set, std::uint32_t* to, const std::uint32_t* factors, const Ways& ways, const Pixel* normals, int count,
+          const Turn& turn) noexcept {
+    EVIL_PICK(set, bend_wide)(to, factors, ways, normals, count, turn);
+}
+
+void shine(Set set, Pixel* row, const Pixel* glow, int count, float strength) noexcept {
+    EVIL_PICK(set, shine_wide)(row, glow, count, strength);
 }
 
 } // namespace evil::raster

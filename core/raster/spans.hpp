@@ -49,6 +49,20 @@ void modulate_flat(Set set, Pixel* row, int count, Pixel by) noexcept;
 // so that faint light has no steps. Writes in eights, and reads as many factors.
 void light_up(Set set, Pixel* row, const std::uint32_t* factors, int count, const std::int32_t* dither) noexcept;
 
+// What becomes of such factors by normals (light/light_map.hpp), r, g, b for x, y, z with 128 for zero: x goes along
+// (xx, xy) in the picture and y along (yx, yy). Ways are 10 bits a channel, 256 for nowhere. Writes and reads in eights.
+struct Turn {
+    float xx = 0, xy = 0, yx = 0, yy = 0;
+};
+struct Ways {
+    const std::uint32_t *across, *down;
+};
+void bend(Set set, std::uint32_t* to, const std::uint32_t* factors, const Ways& ways, const Pixel* normals, int count,
+          const Turn& turn) noexcept;
+
+// Adds what shines by itself, `strength` times, as light adds up: on the screen about as squares do. No channel exceeds alpha.
+void shine(Set set, Pixel* row, const Pixel* glow, int count, float strength) noexcept;
+
 // round(a * b / 255) for a, b in 0..255.
 constexpr int multiply_255(int a, int b) {
     int t = a * b + 128;

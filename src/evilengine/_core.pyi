@@ -1766,7 +1766,7 @@ class Batcher:
 
     def collect(self, list: DrawList, width: int, height: int) -> list[tuple[Any, ...]]:
         """
-        A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus twice the number of their draw::Blend. Between them ('specks', first, count, are they discs, do they add), ('blur', levels, share), ('post',).
+        A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus twice the number of their draw::Blend plus 8 if any has normals or glows. Between them ('specks', first, count, are they discs, do they add), ('blur', levels, share), ('post',).
         """
 
     @property
@@ -1825,6 +1825,21 @@ class Scene:
     """Drawings by slot and generation; evilengine.scene is the face."""
 
     def __init__(self) -> None: ...
+
+    def glow(self, slot: int, generation: int) -> float:
+        """How strongly it shines by itself; below 0: as its picture says."""
+
+    def set_glow(self, slot: int, generation: int, value: float) -> None: ...
+
+    def surface(self, slot: int, generation: int) -> tuple[int, int]:
+        """
+        Its pictures of normals and of what glows; 0: those of the picture that it shows.
+        """
+
+    def set_surface(self, slot: int, generation: int, normals: int, glows: int) -> None: ...
+
+    def set_surface_of(self, texture: int, normals: int, glows: int) -> None:
+        """What goes with a picture wherever it is shown."""
 
     def __len__(self) -> int: ...
 
@@ -2109,9 +2124,9 @@ class Lights:
         Put the frame's light into the list that the scene collected; whether anything in it is lit.
         """
 
-def light_map(list: DrawList) -> tuple[int, int, float, float, float, bytes] | None:
+def light_map(list: DrawList) -> tuple[int, int, float, float, float, list[bytes]] | None:
     """
-    Width, height, pixels a texel, where in the picture the first one's middle lies, and texels: r, g, b, 1 as floats of 16 bits; None where nothing is lit.
+    Width, height, pixels a texel, where in the picture the first one's middle lies, and planes of texels, r, g, b, 1 as floats of 16 bits: the light, and where something has normals its ways across and down; None where nothing is lit.
     """
 
 class Sample:

@@ -101,6 +101,15 @@ class Images:
                         return Found(folder / one.path, one.density)
         return Found(self.find(name), 1)
 
+    def beside(self, name: str, ending: str) -> str | None:
+        """The name of the picture beside `name` whose stem ends so, as `rock.normal.png`; None if there is none."""
+        if not Path(name).name:
+            return None
+        plain = Path(name).with_stem(_plain(Path(name).stem) + ending)
+        both = plain, plain.with_stem(plain.stem + TWICE)
+        there = any(_is(Path.is_file, folder / one) for folder in self.folders for one in both)
+        return str(plain) if there else None
+
     def _missing(self, name: str | Path) -> AssetError:
         searched = " or ".join(str(folder) for folder in self.folders)
         if any(_is(Path.is_dir, folder / name) for folder in self.folders):

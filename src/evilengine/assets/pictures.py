@@ -8,10 +8,17 @@ from typing import Protocol
 
 from evilengine.assets.fonts import Fonts
 from evilengine.assets.images import Found, Images
+from evilengine.values import picture_files
 from evilengine.values.errors import AssetError
 from evilengine.values.font import Font
 from evilengine.values.image import Image
-from evilengine.values.sheet import Cell, Grid
+from evilengine.values.sheet import Cell, Grid, Normals
+
+NORMAL, GLOW = ".normal", ".glow"
+"""At the end of the stems of files that lie beside a picture: `rock.normal.png`, `rock.glow.png` beside `rock.png`."""
+
+FLAT = (128, 128, 255, 255)
+"""The colour of a normal that points straight out."""
 
 
 class Textures(Protocol):
@@ -29,6 +36,7 @@ class _Shown:
     """An image that the renderer has, whole or as the frames of a sheet."""
 
     what: str | Grid
+    normals: bool
     found: Found
     stamp: tuple[int, int] | None
     textures: tuple[int, ...]
@@ -52,8 +60,8 @@ class Pictures:
         self._textures = textures
         self._scale = scale
         self._all_fonts = Fonts(*images.folders)
-        self._shown: dict[tuple[Path, Grid | None], _Shown] = {}
-        self._by_name: dict[str | Grid, _Shown] = {}
+        self._shown: dict[tuple[Path, Grid | None, bool], _Shown] = {}
+        self._by_name: dict[tuple[str | Grid, bool], _Shown] = {}
         self._fonts: dict[tuple[str | None, int], tuple[int, Font]] = {}
         self._unsaid: list[str] = []  # what another screen's pictures brought up, for the next reload to say
 
@@ -68,15 +76,31 @@ class Pictures:
             self._scale = value
             self._unsaid = self.reload()
 
-    def texture(self, what: str | Cell) -> int:
+    def texture(self, what: str | Cell | Normals) -> int:
         """The texture id of an image or a frame, uploaded once. Raises AssetError if it cannot be had."""
-        if isinstance(what, Cell):
-            return self._show(what.grid).textures[what.number]
-        return self._show(what).textures[0]
+        image, normals = (what.of, True) if isinstance(what, Normals) else (what, False)
+        if isinstance(image, Cell):
+            return self._show(image.grid, normals).textures[image.number]
+        return self._show(image, normals).textures[0]
+
+    def surface(self, what: str | Cell) -> tuple[int, int]:
+        """The texture ids of the normals and of what glows that lie beside an image, 0 where there are none.
+
+        Raises AssetError for a file that is there and cannot be read.
+        """
+        normals, glows = self._beside(what, NORMAL), self._beside(what, GLOW)
+        return self.texture(Normals(normals)) if normals else 0, self.texture(glows) if glows else 0
+
+    def _beside(self, what: str | Cell, ending: str) -> str | Cell | None:
+        """The image or frame with that ending in its name, if there is one."""
+        name = self.images.beside(what if isinstance(what, str) else what.grid.image, ending)
+        if name is None or isinstance(what, str):
+            return name
+        return what._replace(grid=what.grid._replace(image=name))
 
     def size(self, what: str | Grid) -> tuple[float, float]:
         """Width and height of an image, or of each frame of a sheet, in logical points. Raises AssetError likewise."""
-        return self._show(what).points
+        return self._show(what, False).points
 
     def font(self, pixels: int, name: str | None = None, characters: str = "") -> tuple[int, Font]:
         """The texture id and the font of a height in pixels: the engine's own, or that of a file, which has
@@ -99,18 +123,18 @@ class Pictures:
         lines, self._unsaid = self._unsaid, []
         return lines + [line for shown in self._shown.values() if (line := self._reload(shown))]
 
-    def _show(self, what: str | Grid) -> _Shown:
-        if what not in self._by_name:
+    def _show(self, what: str | Grid, normals: bool) -> _Shown:
+        if (what, normals) not in self._by_name:
             grid = what if isinstance(what, Grid) else None
             found = self.images.find_for(what if isinstance(what, str) else what.image, self._scale)
-            key = found.plain, grid and grid._replace(image="")
+            key = found.plain, grid and grid._replace(image=""), normals
             if key not in self._shown:
                 stamp = stamp_of(found.path)
-                pictures = self._pictures_in(found, what)
+                pictures = self._pictures_in(found, what, normals)
                 textures = tuple(self._textures.upload(picture) for picture in pictures)
-                self._shown[key] = _Shown(what, found, stamp, textures, _points(pictures[0], found))
-            self._by_name[what] = self._shown[key]
-        return self._by_name[what]
+                self._shown[key] = _Shown(what, normals, found, stamp, textures, _points(pictures[0], found))
+            self._by_name[what, normals] = self._shown[key]
+        return self._by_name[what, normals]
 
     def _reload(self, shown: _Shown) -> str:
         try:
@@ -122,7 +146,7 @@ class Pictures:
             return ""
         shown.found, shown.stamp = found, stamp
         try:
-            pictures = self._pictures_in(found, shown.what)
+            pictures = self._pictures_in(found, shown.what, shown.normals)
         except AssetError as error:
             return f"{error}; it is shown as it was"
         for texture, picture in zip(shown.textures, pictures, strict=True):
@@ -130,8 +154,10 @@ class Pictures:
         shown.points = _points(pictures[0], found)
         return ""
 
-    def _pictures_in(self, found: Found, what: str | Grid) -> list[Image]:
+    def _pictures_in(self, found: Found, what: str | Grid, normals: bool) -> list[Image]:
         image = self._decode(found.path)
+        if normals:
+            image = picture_files.over(image, FLAT)  # where it is transparent, nothing was said of the surface
         return [image] if isinstance(what, str) else cut(image, what, found.density)
 
     def _decode(self, path: Path) -> Image:

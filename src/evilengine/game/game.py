@@ -107,7 +107,12 @@ class Game(Life, GameScreen, Controls, Things):
         self.views = Views(self.camera, self.device.size)
         """The parts of the window that show the world; the first is the camera's, and covers all of it. See View."""
         self._pictures = Pictures(self.renderer, Images(self.folder, Path.cwd()), scale=self.device.scale)
-        self.scene = Scene(self.world, textures=self._pictures.texture, fonts=self._pictures.font)
+        self.scene = Scene(
+            self.world,
+            textures=self._pictures.texture,
+            surfaces=self._pictures.surface,
+            fonts=self._pictures.font,
+        )
         self.panel = Panel(lambda: self._inputs.pointer)
         """Values and knobs on the screen for who makes the game; see Panel."""
         self.scene.panels.append(self.panel.draw)

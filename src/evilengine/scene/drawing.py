@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from evilengine.scene.animated import Animated
 from evilengine.scene.camera import Matrix6
+from evilengine.scene.surface import Surfaced
 from evilengine.values.checks import known_keywords, number
 from evilengine.values.colour import BACKGROUND, Colour, ColourLike, to_colour
 from evilengine.values.errors import ArgumentError, ArgumentTypeError, StaleReferenceError
@@ -26,7 +27,7 @@ OUTLINE = 1.5  # logical points
 OUTLINE_SHADE = 0.4  # how much of the night is in an outline's colour
 
 
-class Drawing(Animated):
+class Drawing(Animated, Surfaced):
     """One thing that is drawn: a shape with a colour, perhaps a texture, on a body or standing by itself.
 
     `scene.add`, `game.draw` and `body.draw` make them. Once it is destroyed, or the body it is on, every use raises
@@ -88,7 +89,7 @@ class Drawing(Animated):
         clip = self._scene._clip_shown(slot, generation)
         if clip is not None:
             return clip.sheet
-        return self._scene._texture_names.get(self._scene._core.texture(slot, generation))
+        return self._scene._name_of(self._scene._core.texture(slot, generation))
 
     @texture.setter
     def texture(self, value: str | Sheet | None) -> None:

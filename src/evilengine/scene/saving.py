@@ -16,7 +16,7 @@ from evilengine.scene.post import Post
 from evilengine.scene.saving_lights import SavedLights, lights_state
 from evilengine.scene.text import Text
 from evilengine.values.colour import Colour
-from evilengine.values.sheet import Animation, Sheet
+from evilengine.values.sheet import Animation, Normals, Sheet
 
 if TYPE_CHECKING:
     from evilengine.scene.scene import Scene
@@ -34,7 +34,7 @@ def state_of(scene: Scene) -> tuple[bytes, dict[str, Any]]:
         if text.alive
     ]
     rest = {
-        "textures": [scene._texture_names[texture] for texture in textures],
+        "textures": [_plain(scene._texture_names[texture]) for texture in textures],
         "clips": [[clip.sheet.plain(), *clip[1:]] for clip in (scene._clips[number] for number in clips)],
         "background": list(scene.background),
         "from_palette": scene._from_palette,
@@ -61,7 +61,7 @@ class SceneState:
         self.places = self._drawings.places
         """(slot, slot of the body, slot of the shape) of each drawing, in the order of creation."""
         self._by_slot = {slot: (body, shape) for slot, body, shape in self.places}
-        self._textures = [scene.texture_id(str(name), "Scene.restore") for name in rest["textures"]]
+        self._textures = [_texture(scene, row) for row in rest["textures"]]
         if len(self._textures) != self._drawings.textures:
             raise ValueError("an image for each texture")
         self._clips = [scene._clip_number(_clip(row)) for row in rest["clips"]]
@@ -189,6 +189,19 @@ def read_camera(
         work(camera, body)
 
     return put
+
+
+def _plain(what: str | Normals) -> str | list[str]:
+    return what if isinstance(what, str) else ["normals", str(what.of)]
+
+
+def _texture(scene: Scene, row: str | list[str]) -> int:
+    if isinstance(row, str):
+        return scene.texture_id(row, "Scene.restore")
+    kind, name = row
+    if kind != "normals":
+        raise ValueError(f"{kind!r} is no kind of image")
+    return scene.texture_id(name, "Scene.restore", "normal_map")
 
 
 def _clip(row: list[Any]) -> Clip:

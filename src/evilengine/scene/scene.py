@@ -7,7 +7,7 @@ from typing import Any, TypeAlias
 
 from evilengine import _core
 from evilengine.scene import graph
-from evilengine.scene.animated import BLENDS, Clip, clip_of, still
+from evilengine.scene.animated import BLENDS
 from evilengine.scene.camera import Camera, Matrix6
 from evilengine.scene.debug import DebugView
 from evilengine.scene.drawing import Drawing, placement, to_layer, to_matrix6
@@ -16,22 +16,20 @@ from evilengine.scene.layers import Layer, Layers, seen_middle
 from evilengine.scene.lights import Lights
 from evilengine.scene.particles import Emitter
 from evilengine.scene.post import Post
+from evilengine.scene.shown import Shown, Surfaces, Textures
 from evilengine.scene.sliced import Sliced, tile_size
+from evilengine.scene.surface import to_glow
 from evilengine.scene.text import Fonts, Text
 from evilengine.values.checks import known_keywords, number, one_of
 from evilengine.values.colour import BACKGROUND, PALETTE, STONE, WHITE, Colour, ColourLike, to_colour
 from evilengine.values.drawlist import DrawList
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
 from evilengine.values.frame import FrameTimes
-from evilengine.values.sheet import COURSES, Cell, Sheet
-from evilengine.values.tick import STEP
+from evilengine.values.sheet import Sheet
 from evilengine.values.vec2 import Point, Vec2
 from evilengine.world.body import Body, Shape
 from evilengine.world.shapes import PolygonLike, ShapeDefinition, to_shape
 from evilengine.world.world import World
-
-Textures: TypeAlias = Callable[[str | Cell], int]
-"""Gives the texture id for an image's name or a frame of a sheet, or raises AssetError; it keeps what it loaded."""
 
 Panel: TypeAlias = Callable[[_core.Scene, Fonts | None, tuple[int, int], float], object]
 """Draws on the screen: given the core's scene, the fonts, the picture's size in pixels, and how many make a point."""
@@ -39,7 +37,7 @@ Panel: TypeAlias = Callable[[_core.Scene, Fonts | None, tuple[int, int], float],
 SPECK = 0.05  # metres: how large a particle is drawn, which has no size of its own
 
 
-class Scene:
+class Scene(Shown):
     """What of `world` is drawn, and what is drawn beside it: layers, a background colour, text, the debug view.
 
     `textures` turns an image's name into a texture id, and `fonts` a height in pixels into a font; a game gives both.
@@ -59,12 +57,12 @@ class Scene:
         world: World,
         *,
         textures: Textures | None = None,
+        surfaces: Surfaces | None = None,
         fonts: Fonts | None = None,
         background: ColourLike = BACKGROUND,
     ) -> None:
         if not isinstance(world, World):
             raise ArgumentTypeError(f"Scene: world={world!r} must be a World")
-        self.world = world
         self.debug = False
         """Is the debug view drawn over the world?"""
         self.debug_view = DebugView()
@@ -78,13 +76,10 @@ class Scene:
         """How layers are seen that are not seen as the world is: farther off, in fog, out of focus."""
         self.post = Post()
         """What is done to the whole picture before text goes over it."""
-        self._core = _core.Scene()
-        self._textures = textures
+        super().__init__(world, textures, surfaces)
         self._fonts = fonts
-        self._texture_names: dict[int, str] = {}
         self._emitters: list[Emitter] = []
         self._emitters_made = 0
-        self._clips: list[Clip] = []  # as the core counts them
         self._texts: list[Text] = []
         self._texts_made = 0
         self._overlay: list[Text] = []
@@ -134,6 +129,9 @@ class Scene:
         layer: int = 0,
         visible: bool = True,
         lit: bool = False,
+        normal_map: str | None = None,
+        glow_map: str | None = None,
+        glow: float | None = None,
     ) -> Drawing:
         """Draw `shape` from now on: on `body`, or on a body's Shape itself, or by itself in the world.
 
@@ -143,7 +141,8 @@ class Scene:
         it again and again, each so many metres wide and high. Of a Sheet, `animation` is shown, else its first frame;
         `flip_x` and `flip_y` mirror it. `blend` is "normal", "add" (shines), "multiply" (shades) or "screen". `outline`
         is a thin darker line round it. What is given neither colour nor texture takes a colour of the palette and, if
-        it can move, an outline. Higher layers lie over lower ones; within one, what was made later is on top.
+        it can move, an outline. On what is `lit`, `normal_map` shows bumps; `glow_map` and `glow` say what shines by
+        itself (see Drawing). Higher layers lie over lower ones; within one, what was made later is on top.
 
         Raises ArgumentError, ArgumentTypeError or AssetError, and draws nothing then.
         """
@@ -154,6 +153,8 @@ class Scene:
         tint = self._palette_colour(body) if plain else WHITE if colour is None else to_colour(colour, owner, "colour")
         corner_colours = None if colours is None else [to_colour(one, owner, "colours").rgba8 for one in colours]
         look = self._to_look(texture, animation, owner)
+        surface = self.texture_id(normal_map, owner, "normal_map"), self.texture_id(glow_map, owner, "glow_map")
+        shine = to_glow(glow, owner)
         image_place = None if texture_matrix is None else to_matrix6(texture_matrix, owner, "texture_matrix")
         tiles = None if tile is None else tile_size(tile, owner)
         if tiles is not None and (texture is None or texture_points is not None or texture_matrix is not None):
@@ -174,6 +175,8 @@ class Scene:
         core.set_layer(*handle, layer)
         core.set_visible(*handle, bool(visible))
         core.set_lit(*handle, bool(lit))
+        core.set_surface(*handle, *surface)
+        core.set_glow(*handle, shine)
         if tiles is not None:
             width, height = core.extent(*handle)
             image_place = (width / tiles[0], 0.0, 0.0, height / tiles[1], 0.0, 0.0)
@@ -338,49 +341,6 @@ class Scene:
                 self.layers.cover(self._core, each, screen, scale)
             elif (seen := self.layers.view(which, view, eye, zoom)) is not None:
                 each._collect(seen, alpha, screen)
-
-    def texture_id(self, name: object, owner: str) -> int:
-        """The texture id of the image called `name`; 0 for None. Raises AssetError for an image that cannot be had."""
-        if name is None:
-            return 0
-        if not isinstance(name, str):
-            raise ArgumentTypeError(f"{owner}: texture={name!r} must be the name of an image, such as 'crate.png'")
-        if self._textures is None:
-            raise ArgumentError(
-                f"{owner}: texture={name!r}: this scene was given no images; Scene(textures=...) takes them"
-            )
-        texture = self._textures(name)
-        self._texture_names[texture] = name
-        return texture
-
-    def _clip_number(self, clip: Clip) -> int:
-        """The number by which the core knows a clip, which is handed to it when it is new."""
-        if clip not in self._clips:
-            if self._textures is None:
-                raise ArgumentError(f"{clip.sheet!r}: this scene was given no images; Scene(textures=...) takes them")
-            frames = {frame: self._textures(Cell(clip.sheet.grid, frame)) for frame in sorted(set(clip.frames))}
-            textures = [frames[frame] for frame in clip.frames]
-            self._core.add_clip(textures, 1.0 / (clip.fps * STEP), COURSES.index(clip.course))
-            self._clips.append(clip)
-        return self._clips.index(clip)
-
-    def _clip_shown(self, slot: int, generation: int) -> Clip | None:
-        """The clip that a drawing shows, None for one without a sheet."""
-        now = self._core.playing(self.world._core, slot, generation)
-        return None if now is None else self._clips[now[0]]
-
-    def _to_look(self, texture: object, animation: str | None, owner: str) -> tuple[int, int | None]:
-        """What a drawing shows, checked: the texture id, or the number of a clip."""
-        if isinstance(texture, Sheet):
-            clip = still(texture, 0) if animation is None else clip_of(texture, animation, owner)
-            return 0, self._clip_number(clip)
-        if animation is not None:
-            raise ArgumentError(f"{owner}: animation={animation!r} needs texture=evil.Sheet(...), not {texture!r}")
-        return self.texture_id(texture, owner), None
-
-    def _show(self, handle: tuple[int, int], texture: int, clip: int | None) -> None:
-        self._core.set_texture(*handle, texture)
-        self._core.play(*handle, clip, self.world.steps)
 
     def _take_restored(self, body: DrawnBody) -> list[Drawing]:
         """The drawings that the last restore put on `body`."""

@@ -68,6 +68,13 @@ def on_black(image: Image) -> Picture:
     return PIL.Image.composite(opaque, PIL.Image.new("RGB", image.size), alpha)
 
 
+def over(image: Image, colour: tuple[int, int, int, int]) -> Image:
+    """The image laid over one colour."""
+    import PIL.Image
+
+    return from_pillow(PIL.Image.alpha_composite(PIL.Image.new("RGBA", image.size, colour), to_pillow(image)))
+
+
 def from_pillow(picture: Picture) -> Image:
     """A Pillow image, of any mode that `convert` knows, as an Image."""
     rgba = picture if picture.mode == "RGBA" else picture.convert("RGBA")

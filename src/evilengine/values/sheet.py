@@ -46,6 +46,12 @@ class Cell(NamedTuple):
     number: int
 
 
+class Normals(NamedTuple):
+    """A picture that says which way a surface faces: r, g, b for x, y, z, 128 for 0, y up."""
+
+    of: str | Cell
+
+
 class Animation:
     """Frames of a sheet in the order in which they are shown.
 

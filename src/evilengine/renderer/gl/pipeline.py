@@ -12,7 +12,7 @@ from evilengine import _core
 from evilengine.renderer.gl import shaders
 from evilengine.renderer.gl.device import Attribute, Blend, GraphicsDevice, Layout, Program, Target, Texture
 from evilengine.renderer.gl.filters import Filters
-from evilengine.renderer.gl.light import LightTexture
+from evilengine.renderer.gl.light import LightTextures
 from evilengine.values.drawlist import DrawList, Inset
 from evilengine.values.image import Image
 
@@ -27,11 +27,11 @@ BLENDS: tuple[Blend, ...] = ("over", "over", "multiply", "screen")
 """By the numbers of draw::Blend; what adds is drawn over, with no alpha."""
 
 INSTANCE = Layout(
-    100,
+    104,
     (
         *(Attribute("float", 4, 16 * place) for place in range(5)),  # matrix, offsets, box, inner, coordinates
         Attribute("uint", 4, 80),  # first edge, edges, first facet, how
-        Attribute("uint", 1, 96),  # tint
+        Attribute("uint", 2, 96),  # tint, surface
     ),
 )
 """A Quad of core/gpu/quads.hpp, field by field."""
@@ -83,8 +83,8 @@ class Pipeline:
         self.target: Target | None = None
         self._batcher = _core.Batcher() if of is None else of._batcher.another()
         self._pictures: dict[int, Texture] = {} if of is None else of._pictures
-        # By pictures a draw call mixes, facets, light.
-        self._programs: dict[tuple[int, bool, bool], Program] = {} if of is None else of._programs
+        # By pictures a draw call mixes, look, light.
+        self._programs: dict[tuple[int, int, int], Program] = {} if of is None else of._programs
         self._is_part = of is not None
         self._insets: list[Pipeline] = []
         self._quads = device.buffer()
@@ -92,9 +92,9 @@ class Pipeline:
         self._spare: Target | None = None  # of the same size, for what is done to a whole picture
         self._filters = Filters(device)
         self._shapes = _Shapes(device)
-        self._light = LightTexture(device)
+        self._light = LightTextures(device)
         for pictures in MIXES[:2]:  # compiled now, so that no frame waits for it, and errors come at the start
-            self._program(pictures, False, False)
+            self._program(pictures, 0, 0)
 
     # ---- pictures -------------------------------------------------------------------------------------------------
 
@@ -147,18 +147,18 @@ class Pipeline:
             first, count, pictures, look = batch
             self.device.draw(
                 target,
-                self._program(next(mix for mix in MIXES if mix >= len(pictures)), bool(look & 1), light is not None),
+                self._program(next(mix for mix in MIXES if mix >= len(pictures)), look & 9, len(light)),
                 instances=(self._quads, INSTANCE, first, count),
                 textures=[
                     ("shapes", self._shapes.texture),
                     *((f"picture{unit}", self._pictures[texture]) for unit, texture in enumerate(pictures)),
-                    *((("light", light),) if light is not None else ()),
+                    *light,
                 ],
                 uniforms={
                     "target_size": (float(frame.size[0]), float(frame.size[1])),
                     "light_place": self._light.place,
                 },
-                blend=BLENDS[look >> 1],
+                blend=BLENDS[look >> 1 & 3],
             )
         self.draw_calls = len(batches) + sum(pipeline.draw_calls + 1 for pipeline in insets)
         self.device.check()
@@ -218,12 +218,13 @@ class Pipeline:
         self.device.show(program, [("picture", self.target.texture)], size)
         self.device.check()
 
-    def _program(self, pictures: int, facets: bool, lit: bool) -> Program:
-        if (pictures, facets, lit) not in self._programs:
+    def _program(self, pictures: int, look: int, light: int) -> Program:
+        key = pictures, look, light
+        if key not in self._programs:
             vertex, fragment = shaders.load("shape.vert"), shaders.load("shape.frag")
-            defines = {"PICTURES": pictures, "FACETS": int(facets), "LIGHT": int(lit)}
-            self._programs[pictures, facets, lit] = self.device.program(vertex, fragment, defines)
-        return self._programs[pictures, facets, lit]
+            defines = {"PICTURES": pictures, "FACETS": look & 1, "SURFACES": look >> 3, "LIGHT": light}
+            self._programs[key] = self.device.program(vertex, fragment, defines)
+        return self._programs[key]
 
     def _target(self, size: tuple[int, int]) -> Target:
         if self.target is None or self.target.size != size:

@@ -12,7 +12,10 @@ precision highp sampler2D;
 #endif
 
 #ifndef LIGHT
-#define LIGHT 0 // 1 where something of the frame is lit
+#define LIGHT 0 // 1 where something of the frame is lit, 3 with the ways that light comes from
+#endif
+#ifndef SURFACES
+#define SURFACES 0 // 1 where something of this draw call has normals, or glows
 #endif
 
 uniform sampler2D shapes; // edges and facets of the meshes (core/gpu/shapes.hpp), then edges of this frame
@@ -29,20 +32,26 @@ uniform sampler2D picture2, picture3;
 uniform sampler2D picture4, picture5, picture6, picture7;
 #endif
 
-#if LIGHT == 1
+#if LIGHT >= 1
 uniform sampler2D light; // what colours are multiplied with (core/light/light_map.hpp)
 uniform vec4 light_place; // pixels: the middle of the first texel; texels a pixel, twice
+#endif
+#if LIGHT == 3
+uniform sampler2D light_across, light_down; // 0 is -1, 1/2 nowhere, 1 is 1
 #endif
 
 in vec2 at;
 flat in vec4 to_pixel, to_mesh, places, inside, texture_matrix, colour;
 flat in uvec4 parts;
+flat in uint surface;
 out vec4 result;
 
 const uint ROW = 1024u;
 const uint ALL = 0u, EDGES = 1u, DISC = 3u;
 const uint REPEAT = 1u << 4, HOLLOW = 4u << 4, COLOURED = 8u << 4, TEXTURED = 16u << 4, ADDS = 32u << 4, LIT = 128u << 4, FINE = 64u << 4;
 const uint FACET_TEXELS = 10u;
+const float GLOW_STEPS = 1024.0; // to 1
+const float SLANT = 1.5;         // kSlant in core/light/light_map.hpp
 
 vec4 texel(uint i) { return texelFetch(shapes, ivec2(i % ROW, i / ROW), 0); }
 
@@ -151,7 +160,13 @@ vec4 sample_picture(sampler2D picture, vec2 uv, vec4 steps) {
     return textureLod(picture, uv, level);
 }
 
-vec4 picture_colour(uint facet, uint count) {
+// Where a point lies in its pictures, and how far that goes from pixel to pixel.
+struct Place {
+    vec2 uv;
+    vec4 steps; // to the right, and down
+};
+
+Place picture_place(uint facet, uint count) {
     mat2 steps = mat2(to_mesh.xy, to_mesh.zw); // of mesh coordinates, then of the facet's, from pixel to pixel
     vec2 uv = at;
 #if FACETS == 1
@@ -164,28 +179,43 @@ vec4 picture_colour(uint facet, uint count) {
     mat2 to_texture = mat2(texture_matrix.xz, texture_matrix.yw);
     uv = to_texture * uv + places.zw;
     steps = to_texture * steps;
-    vec4 both = vec4(steps[0], steps[1]);
-    uint unit = parts.w >> 12 & 15u;
+    return Place(uv, vec4(steps[0], steps[1]));
+}
+
+vec4 picture_colour(uint unit, Place place) {
 #if PICTURES >= 8
-    if (unit == 7u) return sample_picture(picture7, uv, both);
-    if (unit == 6u) return sample_picture(picture6, uv, both);
-    if (unit == 5u) return sample_picture(picture5, uv, both);
-    if (unit == 4u) return sample_picture(picture4, uv, both);
+    if (unit == 7u) return sample_picture(picture7, place.uv, place.steps);
+    if (unit == 6u) return sample_picture(picture6, place.uv, place.steps);
+    if (unit == 5u) return sample_picture(picture5, place.uv, place.steps);
+    if (unit == 4u) return sample_picture(picture4, place.uv, place.steps);
 #endif
 #if PICTURES >= 4
-    if (unit == 3u) return sample_picture(picture3, uv, both);
-    if (unit == 2u) return sample_picture(picture2, uv, both);
+    if (unit == 3u) return sample_picture(picture3, place.uv, place.steps);
+    if (unit == 2u) return sample_picture(picture2, place.uv, place.steps);
 #endif
 #if PICTURES >= 2
-    if (unit == 1u) return sample_picture(picture1, uv, both);
+    if (unit == 1u) return sample_picture(picture1, place.uv, place.steps);
 #endif
-    return sample_picture(picture0, uv, both);
+    return sample_picture(picture0, place.uv, place.steps);
 }
 #endif
 
 // ---- light ----
 
-#if LIGHT == 1
+#if LIGHT == 3 && SURFACES == 1 && PICTURES >= 1
+// The share of the light that a surface gets by its normals (core/raster/surface_wide.cpp), as a factor of its colour.
+vec3 bent(vec2 spot, Place place) {
+    vec3 normal = (picture_colour((surface & 15u) - 1u, place).rgb * 255.0 - 128.0) / 127.0;
+    vec2 right = place.steps.xz, up = -place.steps.yw; // how u and -v grow
+    float width = length(right), height = length(up);
+    vec2 lean = SLANT * (normal.x * (width > 0.0 ? right / width : vec2(0)) +
+                         normal.y * (height > 0.0 ? up / height : vec2(0)));
+    vec3 across = texture(light_across, spot).rgb * 2.0 - 1.0, down = texture(light_down, spot).rgb * 2.0 - 1.0;
+    return sqrt(max(normal.z + lean.x * across + lean.y * down, 0.0));
+}
+#endif
+
+#if LIGHT >= 1
 // How far from its middle a pixel's rounding is moved: as `soft` does it (core/raster/lit.cpp), so that faint light has
 // no steps.
 float dither() {
@@ -198,25 +228,47 @@ float dither() {
     return (float(rank) * 8.0 + 4.0) / 512.0 - 0.5;
 }
 
-vec3 lit_up(vec4 unlit) {
-    vec2 place = (gl_FragCoord.xy - light_place.xy) * light_place.zw + 0.5;
-    vec3 factor = texture(light, place / vec2(textureSize(light, 0))).rgb;
+vec2 spot_in_light() {
+    return ((gl_FragCoord.xy - light_place.xy) * light_place.zw + 0.5) / vec2(textureSize(light, 0));
+}
+
+vec3 lit_up(vec4 unlit, vec3 factor) {
     return min(unlit.rgb * factor + unlit.a * dither() / 255.0, vec3(unlit.a));
 }
 #endif
 
 void main() {
-    result = colour * coverage();
+    float covered = coverage();
+    result = colour * covered;
     uint facet = 0u, facets = parts.w >> 16;
 #if FACETS == 1
     facet = facet_at(facets);
     if ((parts.w & COLOURED) != 0u) result *= facet_colour(facet);
 #endif
 #if PICTURES >= 1
-    if ((parts.w & TEXTURED) != 0u) result *= picture_colour(facet, facets);
+    Place place;
+    if ((parts.w & TEXTURED) != 0u || surface != 0u) place = picture_place(facet, facets);
+    if ((parts.w & TEXTURED) != 0u) result *= picture_colour(parts.w >> 12 & 15u, place);
 #endif
-#if LIGHT == 1
-    if ((parts.w & LIT) != 0u) result.rgb = lit_up(result);
+#if SURFACES == 1
+    vec3 glow = result.rgb;
+#if PICTURES >= 1
+    if ((surface & 0xf0u) != 0u) glow = colour.rgb * covered * picture_colour((surface >> 4 & 15u) - 1u, place).rgb;
+#endif
+#endif
+#if LIGHT >= 1
+    if ((parts.w & LIT) != 0u) {
+        vec2 spot = spot_in_light();
+        vec3 factor = texture(light, spot).rgb;
+#if LIGHT == 3 && SURFACES == 1 && PICTURES >= 1
+        if ((surface & 15u) != 0u) factor *= bent(spot, place);
+#endif
+        result.rgb = lit_up(result, factor);
+    }
+#endif
+#if SURFACES == 1
+    glow *= float(surface >> 8) / GLOW_STEPS;
+    if ((surface >> 8) != 0u) result.rgb = min(sqrt(result.rgb * result.rgb + glow * glow), vec3(result.a));
 #endif
     if ((parts.w & ADDS) != 0u) result.a = 0.0; // then nothing is taken from what is behind
 }

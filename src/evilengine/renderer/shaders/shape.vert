@@ -12,11 +12,12 @@ layout(location = 2) in vec4 box;        // left, low, right, high
 layout(location = 3) in vec4 inner;
 layout(location = 4) in vec4 coordinates; // ux uy vx vy
 layout(location = 5) in uvec4 what;      // first edge, edges, first facet, how
-layout(location = 6) in uint tint;       // straight colour, 0xAABBGGRR
+layout(location = 6) in uvec2 paint;     // tint: straight colour, 0xAABBGGRR; and surface
 
 out vec2 at; // mesh coordinates
 flat out vec4 to_pixel, to_mesh, places, inside, texture_matrix, colour;
 flat out uvec4 parts;
+flat out uint surface;
 
 const uint PIXEL_BOX = 2u << 4;
 const uint COVER = 15u, RING = 4u;
@@ -40,8 +41,10 @@ void main() {
     places = offsets;
     inside = inner;
     texture_matrix = coordinates;
+    uint tint = paint.x;
     vec4 straight = vec4(uvec4(tint, tint >> 8, tint >> 16, tint >> 24) & 255u) / 255.0;
     colour = vec4(straight.rgb * straight.a, straight.a);
     parts = what;
+    surface = paint.y;
     gl_Position = vec4(2.0 * pixel / target_size - 1.0, 0.0, 1.0); // the target's first row is the picture's top
 }
