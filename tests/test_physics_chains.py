@@ -171,7 +171,7 @@ def test_a_motor_in_a_chain_turns_it_and_limits_hold():
         last = link
     for _ in range(240):
         world.step(STEP)
-        assert all(abs(joint.angle) < 0.15 for joint in joints[1:])  # they give way a little
+        assert all(abs(joint.angle) < 0.2 for joint in joints[1:])  # they give way a little
     assert joints[0].angle == pytest.approx(4.0, abs=0.1)
     assert gaps(joints) < 0.01 * LINK * 6
 
@@ -183,3 +183,21 @@ def test_a_joint_in_a_chain_tells_the_load_that_it_bears():
         world.step(STEP)
     for n, joint in enumerate(joints):
         assert joint.force.length == pytest.approx(9.81 * (10 - n + 5), rel=0.01)
+
+
+def test_a_net_of_hinges_that_hangs_from_a_few_does_not_whip_itself_up():
+    world = evil.World(gravity=(0, -10), sleep=False)
+    size, ball, bodies = 100, evil.Circle(0.4), []
+    for column in range(size):
+        for row in range(size):
+            held = row == 0 and abs(column - size // 2) <= 3
+            body = world.add(ball, at=(column, -row), kind="static" if held else "dynamic", mask=0)
+            if row > 0:
+                world.add_joint(evil.joints.Hinge(bodies[-1], body, at=(column, 0.5 - row)))
+            if column > 0:
+                world.add_joint(evil.joints.Hinge(bodies[-size], body, at=(column - 0.5, -row)))
+            bodies.append(body)
+    for _ in range(100):
+        world.step(STEP)
+    assert max(body.velocity.length for body in bodies) < 10.0
+    assert max((joint.at_a - joint.at_b).length for joint in world.joints) < 1.0

@@ -40,6 +40,7 @@ struct alignas(32) PointBlock {
     float start_ax[8], start_ay[8], start_bx[8], start_by[8]; // arms from the centres of mass when the step began
     float gap_x[8], gap_y[8];                                 // from centre to centre when the step began
     float ax[8], ay[8], bx[8], by[8];                         // arms in this substep
+    float spin_a[8], spin_b[8];                               // when the arms were found
     float error_x[8], error_y[8];                             // from anchor to anchor when the substep began
     float mass_xx[8], mass_xy[8], mass_yy[8];                 // inverse of what unit impulses change
     float impulse_x[8], impulse_y[8], total_x[8], total_y[8];

@@ -44,6 +44,8 @@ EVIL_INLINE Arms refresh(PointBlock& k, const Ends& e, Floats turned_a, Floats t
     store(k.ay, a.y);
     store(k.bx, b.x);
     store(k.by, b.y);
+    store(k.spin_a, e.a.spin);
+    store(k.spin_b, e.b.spin);
     store(k.error_x, load(k.gap_x) + (e.b.moved_x - e.a.moved_x) + (b.x - a.x));
     store(k.error_y, load(k.gap_y) + (e.b.moved_y - e.a.moved_y) + (b.y - a.y));
     find_mass(k, e, {a, b});
@@ -109,9 +111,9 @@ template <bool moving> EVIL_INLINE void solve(const JointTables& t, PointBlock& 
     Floats old_x = load(k.impulse_x), old_y = load(k.impulse_y), leak = 0.0f;
     if (moving || k.soft != kNoDrive) {
         Soft s = softness<moving>(t, k.soft);
-        if (moving) {
-            Floats a = falling_behind(e.a.spin, t.pass.h, t.pass.inv_h);
-            Floats b = falling_behind(e.b.spin, t.pass.h, t.pass.inv_h);
+        if (moving) { // by spins that all joints have agreed on: those halfway through a pass jitter in a net, and would be fed
+            Floats a = falling_behind(load(k.spin_a), t.pass.h, t.pass.inv_h);
+            Floats b = falling_behind(load(k.spin_b), t.pass.h, t.pass.inv_h);
             vx += a * r.a.x - b * r.b.x;
             vy += a * r.a.y - b * r.b.y;
         }
