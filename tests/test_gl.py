@@ -260,7 +260,7 @@ def test_everything_is_given_back_when_a_renderer_is_closed_or_forgotten(device:
             for number in range(400):  # more meshes than one row of the data texture holds
                 content.instance(content.polygon(star(3 + number % 4, 5, 2)), place(number % 60, 9), outline=1.0)
             gl.draw(DrawList(size, BLACK, content))
-        assert device.counts() == {"buffers": 1, "targets": 1, "textures": 4 + 2}, "pictures, target, shapes"
+        assert device.counts() == {"buffers": 2, "targets": 1, "textures": 4 + 3}, "pictures, target, shapes, atlas"
         if close:
             gl.close()
         del gl

@@ -202,6 +202,8 @@ def broken(tmp_path: Path, monkeypatch: Any, name: str, old: str, new: str) -> N
 @pytest.mark.parametrize(("name", "old", "new"), [
     ("shape.frag", "float area = 0.0;", "float area = vec3(0.0);"),
     ("shape.vert", "places = offsets;", "places = offsetz;"),
+    ("sprite.frag", "float area = 0.0;", "float area = vec3(0.0);"),  # below what is included
+    ("area.glsl", "float run = x1 - x0;", "float run = x1 - x2;"),  # included
 ])  # fmt: skip
 def test_a_shader_that_does_not_compile_says_where_and_why(
     device: ModernGlDevice, tmp_path: Path, monkeypatch: Any, name: str, old: str, new: str
@@ -242,12 +244,14 @@ def test_a_broken_shader_is_an_error_for_who_asked_for_gl_and_a_line_for_who_did
     ("fragment_shader\n====\n0:3(2): error: value of type vec3\n", 3, "value of type vec3"),
     ('fragment_shader\n0(17) : error C1008: undefined variable "x"\n', 17, "C1008"),
     ("fragment_shader\nERROR: 0:29: 'x' : undeclared identifier\n", 29, "undeclared"),
+    ("fragment_shader\n0:100007(2): error: no such word\n", 7, "no such word"),
     ("Program\n=======\nerror: something does not fit\n", 0, "something does not fit"),
     ("", 0, "no reason"),
 ])  # fmt: skip
 def test_the_words_of_every_driver_are_understood(words: str, line: int, told: str) -> None:
-    error = shaders.complaint(f"GLSL Compiler failed\n\n{words}", Source("a.vert", ""), Source("b.frag", ""))
-    assert (error.file, error.line) == ("b.frag", line)
+    fragment = Source("b.frag", "", ("c.glsl",))
+    error = shaders.complaint(f"GLSL Compiler failed\n\n{words}", Source("a.vert", ""), fragment)
+    assert (error.file, error.line) == ("c.glsl" if "100007" in words else "b.frag", line)
     assert told in str(error)
 
 
@@ -263,6 +267,9 @@ def test_a_shader_keeps_its_line_numbers_and_gets_the_header_that_a_driver_wants
 
 def test_every_shader_that_ships_is_of_the_version_that_browsers_have_too() -> None:
     files = sorted(shaders.FOLDER.iterdir())
-    assert {file.suffix for file in files} == {".vert", ".frag"}
+    assert {file.suffix for file in files} == {".vert", ".frag", ".glsl"}
     for file in files:
+        if file.suffix == ".glsl":  # a part of others
+            assert file.read_text(encoding="utf-8").startswith("// "), "what it is for"
+            continue
         assert shaders.load(file.name).text.startswith(f"{shaders.ES_HEADER}\n//"), "the version, then what it is for"

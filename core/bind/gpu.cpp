@@ -5,6 +5,7 @@
 #include "raster/pyramid.hpp"
 #include "raster/texture.hpp"
 #include <memory>
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/vector.h>
 
 namespace evil::bind {
@@ -57,31 +58,47 @@ class Batcher {
 public:
     Batcher another() const {
         Batcher result;
-        result.held_ = held_;
+        result.pictures_ = pictures_;
         return result;
     }
 
     std::uint32_t hold() {
-        held_->push_back(true);
-        return static_cast<std::uint32_t>(held_->size() - 1);
+        pictures_->held.push_back(true);
+        return static_cast<std::uint32_t>(pictures_->held.size() - 1);
     }
     void drop(std::uint32_t texture) {
-        if (texture >= held_->size() || !(*held_)[texture])
+        if (texture >= pictures_->held.size() || !pictures_->held[texture])
             raise(ErrorKind::argument, "Renderer.release: texture=" + std::to_string(texture) +
                                            " is not one that upload() gave and that is still held");
-        (*held_)[texture] = false;
+        pictures_->held[texture] = false;
+    }
+
+    void place(std::uint32_t texture, std::uint32_t page, const std::vector<std::array<float, 9>>& copies) {
+        std::vector<gpu::Place>& places = pictures_->places.pictures;
+        if (texture >= pictures_->held.size())
+            raise(ErrorKind::argument, "Batcher.place: texture=" + std::to_string(texture) + " was never held");
+        if (texture >= places.size()) places.resize(texture + 1);
+        gpu::Place& place = places[texture] = {page, {}};
+        for (const auto& [left, top, width, height, from, first, to, last, clear_corners] : copies)
+            place.copies.push_back({left, top, width, height, {from, first, to, last}, clear_corners != 0.0f});
     }
 
     nb::list collect(const draw::DrawList& list, int width, int height) {
         if (frame_.use_count() > 1) frame_ = std::make_shared<gpu::Frame>();
         if (shapes_.use_count() > 1) shapes_ = std::make_shared<gpu::Shapes>(*shapes_);
         post_ = list.interludes.post;
-        gpu::collect(*frame_, *shapes_, scratch_, list, *held_, width, height);
+        gpu::collect(*frame_, *shapes_, scratch_, list, *pictures_, width, height);
         frame_->edges.resize((frame_->edges.size() + gpu::kRow - 1) / gpu::kRow * gpu::kRow); // uploaded by whole rows
         nb::list batches;
         for (const gpu::Batch& batch : frame_->batches) {
             if (batch.interlude) {
                 batches.append(to_tuple(*batch.interlude));
+                continue;
+            }
+            if (batch.sprites) {
+                batches.append(nb::make_tuple("sprites", batch.first, batch.count, batch.textures[0],
+                                              static_cast<int>(batch.fringe), batch.lit,
+                                              static_cast<int>(batch.blend)));
                 continue;
             }
             nb::list textures;
@@ -94,6 +111,7 @@ public:
 
     const draw::Post& post() const { return post_; }
     Memory specks() const { return memory_of(frame_, frame_->specks); }
+    Memory sprites() const { return memory_of(frame_, frame_->sprites); }
     Memory quads() const { return memory_of(frame_, frame_->quads); }
     Memory edges() const { return memory_of(frame_, frame_->edges); }
     Memory shapes() const { return memory_of(shapes_, shapes_->texels); }
@@ -103,8 +121,9 @@ private:
     std::shared_ptr<gpu::Frame> frame_ = std::make_shared<gpu::Frame>();
     std::shared_ptr<gpu::Shapes> shapes_ = std::make_shared<gpu::Shapes>();
     gpu::Scratch scratch_;
-    draw::Post post_;                                                                  // of the frame
-    std::shared_ptr<std::vector<bool>> held_ = std::make_shared<std::vector<bool>>(1); // id 0 is no texture
+    draw::Post post_; // of the frame
+    std::shared_ptr<gpu::Pictures> pictures_ =
+        std::make_shared<gpu::Pictures>(gpu::Pictures{std::vector<bool>(1), {}}); // id 0 is no texture
 };
 
 // The picture and its smaller copies, each half as wide and high, colours multiplied with alpha: those `soft` draws from.
@@ -114,9 +133,12 @@ nb::list mipmaps(nb::handle pixels, long width, long height) {
     const raster::Texture texture =
         raster::make_texture(bytes.data(), static_cast<int>(width), static_cast<int>(height));
     nb::list levels;
-    for (const raster::Picture& level : texture.levels)
-        levels.append(nb::make_tuple(level.width, level.height,
-                                     nb::bytes(level.texels.data(), level.texels.size() * sizeof(raster::Pixel))));
+    for (const raster::Picture& level : texture.levels) {
+        const raster::Box seen = raster::seen_part(level);
+        levels.append(nb::make_tuple(
+            level.width, level.height, nb::bytes(level.texels.data(), level.texels.size() * sizeof(raster::Pixel)),
+            nb::make_tuple(seen.left, seen.top, seen.right, seen.bottom, raster::corners_are_clear(level))));
+    }
     return levels;
 }
 
@@ -130,11 +152,19 @@ void register_gpu(nb::module_& module) {
         .def("another", &Batcher::another, "One more of the same pictures, which keeps another list's meshes.")
         .def("hold", &Batcher::hold, "The id of one more picture.")
         .def("drop", &Batcher::drop, nb::arg("texture"), "Draw what names this picture without one from now on.")
+        .def("place", &Batcher::place, nb::arg("texture"), nb::arg("page"), nb::arg("copies"),
+             nb::sig("def place(self, texture: int, page: int, "
+                     "copies: collections.abc.Sequence[tuple[float, float, float, float, float, float, float, float, "
+                     "float]]) -> None"),
+             "Where in the atlas a picture is: for each of its copies left and top there, width, height, and the part "
+             "that is not clear: left, top, right, bottom; 1 if its corners are clear. No copies: nowhere. Texture 0: "
+             "a white texel.")
         .def("collect", &Batcher::collect, nb::arg("list"), nb::arg("width"), nb::arg("height"),
              nb::sig("def collect(self, list: DrawList, width: int, height: int) -> "
                      "list[tuple[typing.Any, ...]]"),
              "A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus "
              "twice the number of their draw::Blend plus 8 if any has normals or glows. "
+             "Or ('sprites', first, count, page of the atlas, COVER, is one lit, blend). "
              "Between them ('specks', first, count, are they discs, do they add), ('blur', levels, share), ('post',).")
         .def_prop_ro(
             "post", [](const Batcher& b) { return settings_of(b.post()); },
@@ -143,14 +173,18 @@ void register_gpu(nb::module_& module) {
             "tones", [](const Batcher& b) { return nb::bytes(b.post().table.data(), sizeof b.post().table); },
             "Its table: 1024 rows of four float32.")
         .def_prop_ro("specks", &Batcher::specks, "The frame's specks; see core/draw/specks.hpp.")
+        .def_prop_ro("sprites", &Batcher::sprites, "The frame's sprites; see core/gpu/quads.hpp.")
         .def_prop_ro("quads", &Batcher::quads, "The frame's quads; see core/gpu/quads.hpp.")
         .def_prop_ro("edges", &Batcher::edges,
                      "Edges made for this frame, in pixels: texels that follow those of `shapes`.")
         .def_prop_ro("shapes", &Batcher::shapes, "Edges and facets of the meshes: rows of 1024 texels of 4 floats.")
         .def_prop_ro("revision", &Batcher::revision, "Changes when `shapes` does.");
-    module.def("mipmaps", &mipmaps, nb::arg("pixels"), nb::arg("width"), nb::arg("height"),
-               nb::sig("def mipmaps(pixels: object, width: int, height: int) -> list[tuple[int, int, bytes]]"),
-               "A picture of straight r, g, b, a and its smaller copies: width, height, bytes multiplied with alpha.");
+    module.def(
+        "mipmaps", &mipmaps, nb::arg("pixels"), nb::arg("width"), nb::arg("height"),
+        nb::sig("def mipmaps(pixels: object, width: int, height: int) -> "
+                "list[tuple[int, int, bytes, tuple[int, int, int, int, bool]]]"),
+        "A picture of straight r, g, b, a and its smaller copies: width, height, bytes multiplied with alpha, and "
+        "the part that is not clear: left, top, right, bottom; and whether the corners are, two texels each way.");
 }
 
 } // namespace evil::bind

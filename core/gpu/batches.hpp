@@ -3,6 +3,7 @@
 #include "gpu/edges.hpp"
 #include "gpu/quads.hpp"
 #include "gpu/shapes.hpp"
+#include "gpu/sprites.hpp"
 #include <vector>
 
 namespace evil::gpu {
@@ -14,8 +15,13 @@ struct Scratch {
     Cut cut;
 };
 
-// Fills `frame`. `held` says by id which textures there are; what names another is drawn without one.
-void collect(Frame& frame, Shapes& shapes, Scratch& scratch, const draw::DrawList& list, const std::vector<bool>& held,
+struct Pictures {
+    std::vector<bool> held; // by id, which textures there are; what names another is drawn without one
+    Places places;          // where in the atlas those are that have a place there
+};
+
+// Fills `frame`.
+void collect(Frame& frame, Shapes& shapes, Scratch& scratch, const draw::DrawList& list, const Pictures& pictures,
              int width, int height);
 
 } // namespace evil::gpu

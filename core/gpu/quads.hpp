@@ -57,6 +57,25 @@ struct Quad {
 };
 static_assert(sizeof(Quad) == 26 * 4, "no padding: the shader reads it as it is");
 
+// A box of one picture, for the shader that draws nothing else. Layout known to renderer/gl/pipeline.py (SPRITE).
+struct Sprite {
+    float x = 0, y = 0;                   // its middle, pixels
+    float ax = 0, ay = 0, bx = 0, by = 0; // from there to the middle of one side, and of the next
+    float uc = 0, vc = 0;                 // texel of the atlas in its middle
+    float ua = 0, va = 0, ub = 0, vb = 0; // ... and how much farther that is on the middle of those sides
+    Rect reach;                           // what to draw, where the sides are at -1 and 1: first a, then b
+    std::uint32_t how = 0;                // Flag
+    std::uint32_t tint = 0xffffffffu;
+};
+static_assert(sizeof(Sprite) == 18 * 4, "no padding: the shader reads it as it is");
+
+// Which of a sprite's pixels are covered in part by something that is not clear (COVER in sprite.frag).
+enum class Fringe : std::uint32_t {
+    none,
+    sides,   // but not those in its corners
+    corners, // those too
+};
+
 inline constexpr std::uint32_t kUnits = 8;           // pictures that one draw call can mix
 inline constexpr std::uint32_t kMostFacets = 0xffff; // what `how` has room for
 inline constexpr std::uint32_t to_how(Cover cover, std::uint32_t flags, std::uint32_t facets) {
@@ -68,8 +87,11 @@ inline constexpr float kGlowSteps = 1024.0f; // to 1 (GLOW_STEPS in shape.frag)
 struct Batch { // quads of one draw call, or an interlude between such
     std::uint32_t first = 0, count = 0;
     std::optional<draw::Interlude> interlude;
+    bool sprites = false;                  // rows of Frame::sprites, not of quads; textures[0] is their page
     bool facets = false;                   // whether any of them has some
     bool surfaces = false;                 // whether any of them has normals or glows
+    bool lit = false;                      // whether any sprite is
+    Fringe fringe = Fringe::none;          // the most that any sprite has
     draw::Blend blend = draw::Blend::over; // over, which serves add too; multiply; screen
     std::uint32_t units = 0;               // how many of `textures` are in use
     std::array<std::uint32_t, kUnits> textures{};
@@ -77,6 +99,7 @@ struct Batch { // quads of one draw call, or an interlude between such
 
 struct Frame { // results: valid until the next one
     std::vector<Quad> quads;
+    std::vector<Sprite> sprites;
     std::vector<draw::Speck> specks; // the draw list's
     std::vector<Batch> batches;
     std::vector<Texel>

@@ -227,6 +227,23 @@ void add_facets(Shapes& shapes, Shape& shape, const Mesh& mesh, std::span<const 
             add_facet(shapes.texels, facet), ++shape.facets;
 }
 
+Box box_of(const Shape& shape, const Mesh& mesh) {
+    Box box;
+    box.is = mesh.vertex_count == 4 && mesh.hole_count == 0 && shape.facets == 0 && shape.inner == shape.bounds &&
+             shape.bounds.left < shape.bounds.right && shape.bounds.low < shape.bounds.high;
+    if (!box.is) return box;
+    const Rect& r = shape.bounds;
+    const double x = 0.5 * (double{r.left} + r.right), y = 0.5 * (double{r.low} + r.high);
+    const double w = 0.5 * (double{r.right} - r.left), h = 0.5 * (double{r.high} - r.low);
+    box.x = static_cast<float>(x), box.y = static_cast<float>(y);
+    box.w = static_cast<float>(w), box.h = static_cast<float>(h);
+    box.u = static_cast<float>(shape.u.dx * x + shape.u.dy * y + shape.u.at);
+    box.v = static_cast<float>(shape.v.dx * x + shape.v.dy * y + shape.v.at);
+    box.up = static_cast<float>(shape.u.dx * w), box.vp = static_cast<float>(shape.v.dx * w);
+    box.uq = static_cast<float>(shape.u.dy * h), box.vq = static_cast<float>(shape.v.dy * h);
+    return box;
+}
+
 Shape polygon(Shapes& shapes, const draw::DrawList& list, const Mesh& mesh) {
     const std::span<const Vertex> vertices{list.vertices.data() + mesh.first_vertex, mesh.vertex_count + mesh.inside};
     const std::span<const std::uint32_t> triangles{list.indices.data() + mesh.first_index, mesh.index_count};
@@ -245,6 +262,7 @@ Shape polygon(Shapes& shapes, const draw::DrawList& list, const Mesh& mesh) {
     shape.bounds = {low.x, low.y, high.x, high.y};
     shape.inner = inner_box(Edges(shapes.texels).subspan(shape.first_edge), vertices, triangles, shape.bounds);
     add_facets(shapes, shape, mesh, vertices, triangles);
+    shape.box = box_of(shape, mesh);
     return shape;
 }
 

@@ -12,11 +12,20 @@ struct Plane { // a number that changes linearly over the mesh: dx * x + dy * y 
     double dx = 0, dy = 0, at = 0;
 };
 
+struct Box { // a mesh that is all of its bounds, white, with one map to texture coordinates
+    bool is = false;
+    float x = 0, y = 0, w = 0, h = 0; // middle, half sides
+    float u = 0, v = 0;               // texture coordinates in the middle
+    float up = 0, vp = 0, uq = 0,
+          vq = 0; // ... and how they change to the middle of the right side, and of the high one
+};
+
 struct Shape {                                 // one mesh
     std::uint32_t first_edge = 0, edges = 0;   // none: nothing to draw
     std::uint32_t first_facet = 0, facets = 0; // none: u and v below serve for all of it, and every corner is white
     Rect bounds, inner;                        // inner: a box that lies inside; empty if none was found
     Plane u, v;
+    Box box;
 };
 
 struct Circle { // a polygon of the unit circle's area, for discs too small to go by distance

@@ -63,4 +63,23 @@ Texture make_texture(const std::uint8_t* straight, int width, int height) {
     return texture;
 }
 
+Box seen_part(const Picture& picture) {
+    Box seen{picture.width, picture.height, 0, 0};
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            if (picture.texels[static_cast<std::size_t>(y) * picture.width + x] == 0) continue;
+            seen = {std::min(seen.left, x), std::min(seen.top, y), std::max(seen.right, x + 1), y + 1};
+        }
+    return seen.right > 0 ? seen : Box{};
+}
+
+bool corners_are_clear(const Picture& picture) {
+    for (const int row : {0, 1, picture.height - 2, picture.height - 1})
+        for (const int column : {0, 1, picture.width - 2, picture.width - 1}) {
+            const int x = std::clamp(column, 0, picture.width - 1), y = std::clamp(row, 0, picture.height - 1);
+            if (picture.texels[static_cast<std::size_t>(y) * picture.width + x] != 0) return false;
+        }
+    return true;
+}
+
 } // namespace evil::raster

@@ -18,4 +18,10 @@ struct Texture {                 // none: an id that was released, or never give
 // From width * height * 4 bytes of straight r, g, b, a. Sides are 1..kMaxSide.
 Texture make_texture(const std::uint8_t* straight, int width, int height);
 
+// The least box that holds all texels which are not clear; empty, at 0, 0, if there are none.
+Box seen_part(const Picture& picture);
+
+// Whether nothing is to be seen of two texels each way in all four corners.
+bool corners_are_clear(const Picture& picture);
+
 } // namespace evil::raster

@@ -1764,9 +1764,14 @@ class Batcher:
     def drop(self, texture: int) -> None:
         """Draw what names this picture without one from now on."""
 
+    def place(self, texture: int, page: int, copies: Sequence[tuple[float, float, float, float, float, float, float, float, float]]) -> None:
+        """
+        Where in the atlas a picture is: for each of its copies left and top there, width, height, and the part that is not clear: left, top, right, bottom; 1 if its corners are clear. No copies: nowhere. Texture 0: a white texel.
+        """
+
     def collect(self, list: DrawList, width: int, height: int) -> list[tuple[Any, ...]]:
         """
-        A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus twice the number of their draw::Blend plus 8 if any has normals or glows. Between them ('specks', first, count, are they discs, do they add), ('blur', levels, share), ('post',).
+        A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus twice the number of their draw::Blend plus 8 if any has normals or glows. Or ('sprites', first, count, page of the atlas, COVER, is one lit, blend). Between them ('specks', first, count, are they discs, do they add), ('blur', levels, share), ('post',).
         """
 
     @property
@@ -1780,6 +1785,10 @@ class Batcher:
     @property
     def specks(self) -> Memory:
         """The frame's specks; see core/draw/specks.hpp."""
+
+    @property
+    def sprites(self) -> Memory:
+        """The frame's sprites; see core/gpu/quads.hpp."""
 
     @property
     def quads(self) -> Memory:
@@ -1799,9 +1808,9 @@ class Batcher:
     def revision(self) -> int:
         """Changes when `shapes` does."""
 
-def mipmaps(pixels: object, width: int, height: int) -> list[tuple[int, int, bytes]]:
+def mipmaps(pixels: object, width: int, height: int) -> list[tuple[int, int, bytes, tuple[int, int, int, int, bool]]]:
     """
-    A picture of straight r, g, b, a and its smaller copies: width, height, bytes multiplied with alpha.
+    A picture of straight r, g, b, a and its smaller copies: width, height, bytes multiplied with alpha, and the part that is not clear: left, top, right, bottom; and whether the corners are, two texels each way.
     """
 
 class SavedScene:

@@ -42,10 +42,12 @@ class Layout:
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """A shader as its file has it: GLSL ES 3.00."""
+    """A shader as its file has it, GLSL ES 3.00, with what it includes in its place."""
 
     file: str
     text: str
+    included: tuple[str, ...] = ()
+    """Files, in that order."""
 
 
 class Buffer(Protocol):

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from evilengine.renderer.gl import shaders
 from evilengine.renderer.gl.device import GraphicsDevice, Program, Target, Texture
+from evilengine.renderer.gl.programs import Programs
 
 BLOOM_LEVELS = 6
 """kBloomLevels of core/raster/pyramid.hpp."""
@@ -15,8 +15,9 @@ TONES = 1024
 class Filters:
     """The targets that a picture is halved into, and what is done with them."""
 
-    def __init__(self, device: GraphicsDevice) -> None:
+    def __init__(self, device: GraphicsDevice, programs: Programs) -> None:
         self._device = device
+        self._programs = programs
         self._levels: list[Target] = []  # a half, a quarter, ... of the picture; and one that is being mixed, for each
         self._mixed: list[Target] = []
         self._tones: Texture | None = None
@@ -115,4 +116,4 @@ class Filters:
             self._mixed.append(self._device.target((width, height)))
 
     def _program(self, fragment: str, **defines: int) -> Program:
-        return self._device.program(shaders.load("screen.vert"), shaders.load(fragment), defines)
+        return self._programs.get("screen.vert", fragment, **defines)

@@ -9,12 +9,16 @@ from __future__ import annotations
 from typing import Any
 
 from evilengine import _core
-from evilengine.renderer.gl import shaders
-from evilengine.renderer.gl.device import Attribute, Blend, GraphicsDevice, Layout, Program, Target, Texture
+from evilengine.renderer.gl.atlas import Atlas, Copy
+from evilengine.renderer.gl.device import Attribute, Blend, Buffer, GraphicsDevice, Layout, Program, Target, Texture
 from evilengine.renderer.gl.filters import Filters
 from evilengine.renderer.gl.light import LightTextures
+from evilengine.renderer.gl.programs import Programs
 from evilengine.values.drawlist import DrawList, Inset
 from evilengine.values.image import Image
+
+Named = list[tuple[str, Texture]]
+"""Textures by their names in a shader."""
 
 ROW = 1024
 """Texels in a row of a data texture (kRow in core/gpu/quads.hpp)."""
@@ -22,6 +26,9 @@ ROW = 1024
 MIXES = (0, 1, 2, 4, 8)
 """How many pictures a draw call may mix, at most kUnits in core/gpu/quads.hpp; a program for each, as some drivers look
 each picture up for each pixel."""
+
+COVERS = (0, 1, 2)
+"""What a sprite's pixels are covered by in part (Fringe in core/gpu/quads.hpp); each makes the shader slower."""
 
 BLENDS: tuple[Blend, ...] = ("over", "over", "multiply", "screen")
 """By the numbers of draw::Blend; what adds is drawn over, with no alpha."""
@@ -36,6 +43,14 @@ INSTANCE = Layout(
 )
 """A Quad of core/gpu/quads.hpp, field by field."""
 
+SPRITE = Layout(
+    72,
+    (
+        *(Attribute("float", 4, 16 * place) for place in range(4)),  # place, axes, texels, what to draw
+        Attribute("uint", 2, 64),  # flags, tint
+    ),
+)
+"""A Sprite of core/gpu/quads.hpp, field by field."""
 
 SPECK = Layout(
     24,
@@ -83,45 +98,51 @@ class Pipeline:
         self.target: Target | None = None
         self._batcher = _core.Batcher() if of is None else of._batcher.another()
         self._pictures: dict[int, Texture] = {} if of is None else of._pictures
-        # By pictures a draw call mixes, look, light.
-        self._programs: dict[tuple[int, int, int], Program] = {} if of is None else of._programs
+        self.programs = Programs(device) if of is None else of.programs
+        self._atlas = Atlas(device, self._batcher) if of is None else of._atlas
         self._is_part = of is not None
         self._insets: list[Pipeline] = []
         self._quads = device.buffer()
+        self._sprites = device.buffer()
         self._specks = device.buffer()
         self._spare: Target | None = None  # of the same size, for what is done to a whole picture
-        self._filters = Filters(device)
+        self._filters = Filters(device, self.programs)
         self._shapes = _Shapes(device)
         self._light = LightTextures(device)
         for pictures in MIXES[:2]:  # compiled now, so that no frame waits for it, and errors come at the start
             self._program(pictures, 0, 0)
+        for cover in COVERS:
+            self.programs.get("sprite.vert", "sprite.frag", COVER=cover, LIGHT=0)
 
     # ---- pictures -------------------------------------------------------------------------------------------------
 
     def upload(self, image: Image) -> int:
-        picture = self._picture(image)
+        picture, copies = self._picture(image)
         texture = self._batcher.hold()
         self._pictures[texture] = picture
+        self._atlas.put(texture, copies)
         return texture
 
     def update(self, texture: int, image: Image) -> None:
-        picture = self._picture(image)
+        picture, copies = self._picture(image)
         self._pictures[texture].release()
         self._pictures[texture] = picture
+        self._atlas.put(texture, copies)
 
     def drop(self, texture: int) -> None:
         self._batcher.drop(texture)
+        self._atlas.drop(texture)
         self._pictures.pop(texture).release()
 
-    def _picture(self, image: Image) -> Texture:
+    def _picture(self, image: Image) -> tuple[Texture, list[Copy]]:
         """On the card, with the smaller copies that `soft` uses too. What the card cannot hold is held smaller."""
         levels = _core.mipmaps(image.pixels, image.width, image.height)
         while max(levels[0][:2]) > self.device.most_pixels:
             levels.pop(0)
         picture = self.device.texture("picture", levels[0][:2], levels=len(levels))
-        for level, (width, height, texels) in enumerate(levels):
+        for level, (width, height, texels, _) in enumerate(levels):
             picture.write(texels, (0, 0, width, height), level=level)
-        return picture
+        return picture, levels
 
     # ---- a frame --------------------------------------------------------------------------------------------------
 
@@ -132,34 +153,19 @@ class Pipeline:
         target.clear(_to_colour(frame.background))
         for inset, pipeline in zip(frame.insets, insets, strict=True):
             self._place(target, inset, pipeline)
-        quads = self._batcher.quads
+        self._write(self._batcher.quads, self._quads)
+        self._write(self._batcher.sprites, self._sprites)
+        self._write(self._batcher.specks, self._specks)
         if batches:
-            self._quads.write(quads, len(quads))
             self._shapes.write(self._batcher)
-        specks = self._batcher.specks
-        if len(specks):
-            self._specks.write(specks, len(specks))
         light = self._light.of(frame.content)
         for batch in batches:
-            if isinstance(batch[0], str):
+            if batch[0] == "sprites":
+                self._draw_sprites(target, light, *batch[1:])
+            elif isinstance(batch[0], str):
                 target = self._interlude(target, *batch)
-                continue
-            first, count, pictures, look = batch
-            self.device.draw(
-                target,
-                self._program(next(mix for mix in MIXES if mix >= len(pictures)), look & 9, len(light)),
-                instances=(self._quads, INSTANCE, first, count),
-                textures=[
-                    ("shapes", self._shapes.texture),
-                    *((f"picture{unit}", self._pictures[texture]) for unit, texture in enumerate(pictures)),
-                    *light,
-                ],
-                uniforms={
-                    "target_size": (float(frame.size[0]), float(frame.size[1])),
-                    "light_place": self._light.place,
-                },
-                blend=BLENDS[look >> 1 & 3],
-            )
+            else:
+                self._draw_quads(target, light, *batch)
         self.draw_calls = len(batches) + sum(pipeline.draw_calls + 1 for pipeline in insets)
         self.device.check()
 
@@ -177,11 +183,53 @@ class Pipeline:
         assert pipeline.target is not None
         self.device.fill(
             target,
-            self.device.program(shaders.load("screen.vert"), shaders.load("place.frag"), {}),
+            self.programs.get("screen.vert", "place.frag"),
             textures=[("picture", pipeline.target.texture)],
             uniforms={"corner": (float(inset.left), float(inset.top))},
             part=(inset.left, inset.top, *inset.frame.size),
         )
+
+    def _write(self, data: _core.Memory, buffer: Buffer) -> None:
+        if len(data):
+            buffer.write(data, len(data))
+
+    def _draw_quads(
+        self, target: Target, light: Named, first: int, count: int, pictures: tuple[int, ...], look: int
+    ) -> None:
+        self._draw(
+            target,
+            self._program(next(mix for mix in MIXES if mix >= len(pictures)), look & 9, len(light)),
+            (self._quads, INSTANCE, first, count),
+            [
+                ("shapes", self._shapes.texture),
+                *((f"picture{unit}", self._pictures[texture]) for unit, texture in enumerate(pictures)),
+                *light,
+            ],
+            BLENDS[look >> 1 & 3],
+        )
+
+    def _draw_sprites(
+        self, target: Target, light: Named, first: int, count: int, page: int, cover: int, lit: bool, blend: int
+    ) -> None:
+        self._draw(
+            target,
+            self.programs.get("sprite.vert", "sprite.frag", COVER=cover, LIGHT=int(lit)),
+            (self._sprites, SPRITE, first, count),
+            [("page", self._atlas.page(page)), *(light[:1] if lit else ())],
+            BLENDS[blend],
+        )
+
+    def _draw(
+        self,
+        target: Target,
+        program: Program,
+        instances: tuple[Buffer, Layout, int, int],
+        textures: Named,
+        blend: Blend,
+    ) -> None:
+        size = float(target.size[0]), float(target.size[1])
+        uniforms = {"target_size": size, "light_place": self._light.place}
+        self.device.draw(target, program, instances=instances, textures=textures, uniforms=uniforms, blend=blend)
 
     def _interlude(self, target: Target, kind: str, *what: Any) -> Target:
         """What comes between the quads of a frame; on which target it goes on."""
@@ -201,10 +249,9 @@ class Pipeline:
         return done
 
     def _draw_specks(self, target: Target, first: int, count: int, disc: bool, adds: bool) -> None:
-        defines = {"DISC": int(disc), "ADDS": int(adds)}
         self.device.draw(
             target,
-            self.device.program(shaders.load("speck.vert"), shaders.load("speck.frag"), defines),
+            self.programs.get("speck.vert", "speck.frag", DISC=int(disc), ADDS=int(adds)),
             instances=(self._specks, SPECK, first, count),
             textures=[],
             uniforms={"target_size": (float(target.size[0]), float(target.size[1]))},
@@ -214,17 +261,14 @@ class Pipeline:
         """Put the last frame on the window, `size` pixels large."""
         if self.target is None:
             return
-        program = self.device.program(shaders.load("screen.vert"), shaders.load("screen.frag"), {})
+        program = self.programs.get("screen.vert", "screen.frag")
         self.device.show(program, [("picture", self.target.texture)], size)
         self.device.check()
 
     def _program(self, pictures: int, look: int, light: int) -> Program:
-        key = pictures, look, light
-        if key not in self._programs:
-            vertex, fragment = shaders.load("shape.vert"), shaders.load("shape.frag")
-            defines = {"PICTURES": pictures, "FACETS": look & 1, "SURFACES": look >> 3, "LIGHT": light}
-            self._programs[key] = self.device.program(vertex, fragment, defines)
-        return self._programs[key]
+        return self.programs.get(
+            "shape.vert", "shape.frag", PICTURES=pictures, FACETS=look & 1, SURFACES=look >> 3, LIGHT=light
+        )
 
     def _target(self, size: tuple[int, int]) -> Target:
         if self.target is None or self.target.size != size:
@@ -243,6 +287,7 @@ class Pipeline:
             *pictures,
             self._shapes.texture,
             self._quads,
+            self._sprites,
             self._specks,
             self._spare,
             self.target,
@@ -252,6 +297,7 @@ class Pipeline:
         self._filters.release()
         self._light.release()
         if not self._is_part:
+            self._atlas.release()
             self._pictures.clear()
         self._insets.clear()
         self.target = self._spare = None

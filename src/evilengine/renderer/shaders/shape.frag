@@ -32,10 +32,6 @@ uniform sampler2D picture2, picture3;
 uniform sampler2D picture4, picture5, picture6, picture7;
 #endif
 
-#if LIGHT >= 1
-uniform sampler2D light; // what colours are multiplied with (core/light/light_map.hpp)
-uniform vec4 light_place; // pixels: the middle of the first texel; texels a pixel, twice
-#endif
 #if LIGHT == 3
 uniform sampler2D light_across, light_down; // 0 is -1, 1/2 nowhere, 1 is 1
 #endif
@@ -57,18 +53,7 @@ vec4 texel(uint i) { return texelFetch(shapes, ivec2(i % ROW, i / ROW), 0); }
 
 // ---- coverage ----
 
-// The area within the unit square that lies right of the edge from a to b, signed by the way that it runs.
-float area_right_of(vec2 a, vec2 b) {
-    float y0 = clamp(a.y, 0.0, 1.0), y1 = clamp(b.y, 0.0, 1.0);
-    if (y0 == y1) return 0.0;
-    float slope = (b.x - a.x) / (b.y - a.y);
-    float x0 = a.x + (y0 - a.y) * slope, x1 = a.x + (y1 - a.y) * slope;
-    vec2 x = vec2(x0, x1), c = clamp(x, 0.0, 1.0);
-    vec2 sums = 0.5 * c * c + max(x - 1.0, 0.0); // integral of x kept within the square
-    float run = x1 - x0;
-    float mean = abs(run) > 0.001 ? (sums.y - sums.x) / run : 0.5 * (c.x + c.y);
-    return (y1 - y0) * (1.0 - clamp(mean, 0.0, 1.0));
-}
+#include "area.glsl"
 
 float covered_by_edges(bool in_pixels) {
     mat2 linear = in_pixels ? mat2(1.0) : mat2(to_pixel.xy, to_pixel.zw);
@@ -215,27 +200,7 @@ vec3 bent(vec2 spot, Place place) {
 }
 #endif
 
-#if LIGHT >= 1
-// How far from its middle a pixel's rounding is moved: as `soft` does it (core/raster/lit.cpp), so that faint light has
-// no steps.
-float dither() {
-    uvec2 pixel = uvec2(gl_FragCoord.xy) & 7u;
-    uint rank = 0u;
-    for (uint bit = 0u; bit < 3u; ++bit) {
-        uint across = pixel.x >> bit & 1u, down = pixel.y >> bit & 1u;
-        rank |= ((across ^ down) << 1 | down) << (2u * (2u - bit));
-    }
-    return (float(rank) * 8.0 + 4.0) / 512.0 - 0.5;
-}
-
-vec2 spot_in_light() {
-    return ((gl_FragCoord.xy - light_place.xy) * light_place.zw + 0.5) / vec2(textureSize(light, 0));
-}
-
-vec3 lit_up(vec4 unlit, vec3 factor) {
-    return min(unlit.rgb * factor + unlit.a * dither() / 255.0, vec3(unlit.a));
-}
-#endif
+#include "light.glsl"
 
 void main() {
     float covered = coverage();
