@@ -293,6 +293,28 @@ def test_warm_light_is_warm_and_a_clear_sky_is_blue():
     assert blue > green > red
 
 
+def test_shadows_of_a_crowd_are_where_exact_geometry_has_them():
+    game = lit_game()
+    dice, shapes = np.random.default_rng(3), []
+    for at in dice.uniform((-3, -1.7), (3, 1.7), (140, 2)):
+        if np.hypot(*(at - (0.1, 0.2))) > 0.5:
+            body = game.add(evil.Rectangle(0.16, 0.16), at=at, angle=dice.uniform(0, 3), kind="static")
+            shapes.append(corners_of(body, (0.16, 0.16)))
+    lamp = game.add_light(at=(0.1, 0.2), size=0.12, radius=100, falloff=0)
+    light, places = light_of(game)
+    compared = {"dark": 0, "half": 0, "full": 0}
+    for row, column in dice.integers(0, light.shape[:2], (150, 2)):
+        point = places[row, column]
+        if any(_near(point, shape, 0.12) for shape in shapes):
+            continue
+        expected = seen(point, np.array(lamp.at), lamp.size, shapes, rays=150)
+        kind = "dark" if expected == 0 else "full" if expected == 1 else "half"
+        compared[kind] += 1
+        assert light[row, column, 0] == pytest.approx(expected, abs=0.03), point
+    assert compared["dark"] > 10, compared
+    assert compared["half"] > 5, compared
+
+
 def test_low_quality_has_hard_shadows_where_medium_has_soft_ones():
     def half_shadow(quality):
         game = lit_game()

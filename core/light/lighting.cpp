@@ -8,8 +8,8 @@ namespace evil::light {
 namespace {
 
 constexpr float kHard =
-    0.25f;                // texels: half a lamp's line at the least; its half shadows are a texel wide all the same
-constexpr int kPatch = 8; // texels: a patch is as wide as the kernel's lanes, and as high
+    0.25f; // texels: half a lamp's line at the least; its half shadows are a texel wide all the same
+constexpr int kBlock = 8 * kPatch; // texels: the largest squares, which threads take one by one
 
 struct Grid { // of the map's texels
     int width, height, stride;
@@ -68,15 +68,6 @@ bool to_lamp(Lamp& lamp, const Light& light, const World& world, const Grid& gri
     return lamp.parallel || (lamp.at.x > -reach && lamp.at.y > -reach && lamp.at.x < right && lamp.at.y < bottom);
 }
 
-// Whether a caster may stand between the lamp and a disc round `middle`: it must come near the strip between the two.
-bool may_hide(const Lamp& lamp, const Caster& caster, Vec2 middle, float radius) {
-    const Vec2 to = lamp.parallel ? -kFar * lamp.way : lamp.at - middle, way = caster.middle - middle;
-    const float square = length_squared(to);
-    const float part = square > 0.0f ? std::clamp(dot(way, to) / square, 0.0f, 1.0f) : 0.0f;
-    const float near = caster.radius + radius + part * std::max(lamp.size - radius, 0.0f);
-    return length_squared(way - part * to) <= near * near;
-}
-
 // A lamp shines out of the bodies that it is in.
 void find_casters(Scratch::Cast& cast, const Light& light, const Casters& all, const Grid& grid,
                   std::vector<std::uint32_t>& holders) {
@@ -103,7 +94,6 @@ Scratch::Cast& next(std::vector<Scratch::Cast>& casts, std::size_t& count) {
 
 void find_lamps(Scratch& scratch, const Lights& lights, const World& world, const Grid& grid, float alpha, bool soft) {
     scratch.open_count = scratch.shaded_count = 0;
-    if (scratch.rows.empty()) scratch.rows.emplace_back();
     for (std::uint32_t slot = 0; slot < lights.rows.size(); ++slot) {
         const Light& light = lights.rows[slot];
         Lamp lamp;
@@ -114,7 +104,7 @@ void find_lamps(Scratch& scratch, const Lights& lights, const World& world, cons
         }
         Scratch::Cast& cast = next(scratch.shaded, scratch.shaded_count);
         cast.lamp = lamp;
-        find_casters(cast, light, scratch.casters, grid, scratch.rows[0].near);
+        find_casters(cast, light, scratch.casters, grid, scratch.holders);
     }
 }
 
@@ -140,36 +130,39 @@ Planes planes_at(float* first, std::size_t plane, bool directed) {
     return planes;
 }
 
-// One row of patches.
-void shade_row(Scratch& scratch, std::span<const Scratch::Cast> casts, const Grid& grid, int top, const Planes& to,
-               InstructionSet set) {
-    Scratch::Row& row = scratch.rows[static_cast<std::size_t>(top / kPatch)];
+// One lamp on a square, with what may hide it from that: from each quarter of it, down to patches.
+void shade_square(Hiding& hiding, std::size_t depth, std::span<const std::uint32_t> among, const Scratch& scratch,
+                  const Lamp& lamp, const Grid& grid, const Square& square, const Planes& to, InstructionSet set) {
+    const Patch patch{square.x, square.y, std::min(kPatch, grid.height - square.y), grid.stride};
+    if (square.x >= grid.width || square.y >= grid.height || !reaches(lamp, square.middle(), square.radius())) return;
+    if (square.side == kPatch && all_solid(scratch.solid, patch)) return;
     const Casters& all = scratch.casters;
-    Patch patch{0, top, std::min(kPatch, grid.height - top), grid.stride};
-    const float radius = 0.5f * std::sqrt(2.0f) * kPatch;
-    for (; patch.x < grid.width; patch.x += kPatch) {
-        if (all_solid(scratch.solid, patch)) continue;
-        const Vec2 middle{static_cast<float>(patch.x) + 0.5f * kPatch, static_cast<float>(top) + 0.5f * kPatch};
-        for (const Scratch::Cast& cast : casts) {
-            if (!reaches(cast.lamp, middle, radius)) continue;
-            row.near.clear();
-            for (const std::uint32_t i : cast.casters)
-                if (may_hide(cast.lamp, all.rows[i], middle, radius)) row.near.push_back(i);
-            if (row.hidden.size() < row.near.size()) row.hidden.resize(row.near.size());
-            EVIL_PICK(set, shade_patch_wide)
-            (cast.lamp, all.rows.data(), row.near.data(), static_cast<int>(row.near.size()), all.corners.data(), patch,
-             to, row.hidden.data());
-        }
+    std::vector<std::uint32_t>& near = hiding.lists[depth];
+    if (!find_what_matters(near, hiding, among, lamp, all.rows, all.corners, square, set)) return;
+    if (square.side > kPatch) {
+        const int side = square.side / 2;
+        for (int quarter = 0; quarter < 4; ++quarter)
+            shade_square(hiding, depth + 1, near, scratch, lamp, grid,
+                         {square.x + quarter % 2 * side, square.y + quarter / 2 * side, side}, to, set);
+        return;
     }
+    if (hiding.hidden.size() < near.size()) hiding.hidden.resize(near.size());
+    EVIL_PICK(set, shade_patch_wide)
+    (lamp, all.rows.data(), near.data(), static_cast<int>(near.size()), all.corners.data(), patch, to,
+     hiding.hidden.data());
 }
 
 void shade(Scratch& scratch, std::span<const Scratch::Cast> casts, const Grid& grid, const Planes& to, World& world) {
     if (casts.empty()) return;
-    const auto rows = static_cast<std::size_t>((grid.height + kPatch - 1) / kPatch);
-    if (scratch.rows.size() < rows) scratch.rows.resize(rows);
-    parallel_for(world.threads, rows, 1, [&](std::size_t first, std::size_t last) {
-        for (std::size_t row = first; row < last; ++row)
-            shade_row(scratch, casts, grid, static_cast<int>(row) * kPatch, to, world.instruction_set);
+    const int across = (grid.width + kBlock - 1) / kBlock, down = (grid.height + kBlock - 1) / kBlock;
+    const auto blocks = static_cast<std::size_t>(across) * down;
+    if (scratch.blocks.size() < blocks) scratch.blocks.resize(blocks);
+    parallel_for(world.threads, blocks, 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            for (const Scratch::Cast& cast : casts)
+                shade_square(scratch.blocks[i], 0, cast.casters, scratch, cast.lamp, grid,
+                             {static_cast<int>(i) % across * kBlock, static_cast<int>(i) / across * kBlock, kBlock}, to,
+                             world.instruction_set);
     });
 }
 

@@ -2,6 +2,7 @@
 // One frame's light: the lights of a scene and the shapes of its world become the light map (SPEC G5, G7).
 #include "light/bounce.hpp"
 #include "light/casters.hpp"
+#include "light/hiding.hpp"
 #include "light/light_map.hpp"
 #include "light/lights.hpp"
 #include "light/soak.hpp"
@@ -27,14 +28,11 @@ struct Scratch {  // losing it changes nothing
         Lamp lamp;
         std::vector<std::uint32_t> casters;
     };
-    struct Row { // of patches, for whoever works on it
-        std::vector<std::uint32_t> near;
-        std::vector<Hidden> hidden;
-    };
     Casters casters;
     std::vector<Cast> open, shaded; // lamps without and with shadows
     std::size_t open_count = 0, shaded_count = 0;
-    std::vector<Row> rows;
+    std::vector<Hiding> blocks;
+    std::vector<std::uint32_t> holders;
     std::vector<float> planes; // red, green, blue: light of open lamps, then of shaded ones; where directed, ways too
     std::vector<std::uint8_t> solid;
     std::vector<Soft> soft, blurred, other;

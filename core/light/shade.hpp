@@ -44,12 +44,25 @@ struct Planes { // rows of floats, `stride` apart: red, green, blue
     float *across[3], *down[3]; // null, or the sums of light times the way that it comes from
 };
 
+inline constexpr int kPatch = 8; // texels: a patch is as wide as the kernel's lanes, and as high
+
 struct Patch { // eight texels wide, `rows` high
     int x, y, rows, stride;
 };
 
 struct Hidden { // scratch of one texel row of a patch: where the intervals begin and end, eight lanes each
     float from[8], to[8];
+};
+
+struct Square { // of texels; those below the map's last row are none
+    int x, y, side;
+    float half() const { return 0.5f * static_cast<float>(side); }
+    Vec2 middle() const { return {static_cast<float>(x) + half(), static_cast<float>(y) + half()}; }
+    float radius() const { return 1.41421356f * half(); } // to its corners
+};
+
+struct Outline { // of a caster on the lamp's line, over the texels of a square: where it begins and ends
+    float from_least, from_most, to_least, to_most;
 };
 
 } // namespace evil::light

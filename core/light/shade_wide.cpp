@@ -141,19 +141,6 @@ EVIL_INLINE Floats strength(const Lamp& lamp, const View& v) {
     return result * t * t * (Floats(3.0f) - t * 2.0f);
 }
 
-// A caster's umbra is convex: if it holds a patch's corners, it holds the patch.
-bool in_umbra(const Lamp& lamp, const Caster* casters, const std::uint32_t* which, int count, const Vec2* corners,
-              const light::Patch& patch) {
-    const float x[8] = {0.5f, 7.5f, 0.5f, 7.5f, 0.5f, 7.5f, 0.5f, 7.5f};
-    const float bottom = static_cast<float>(patch.rows) - 0.5f;
-    const float y[8] = {0.5f, 0.5f, bottom, bottom, 0.5f, 0.5f, bottom, bottom};
-    Points p{Floats(static_cast<float>(patch.x)) + load(x), Floats(static_cast<float>(patch.y)) + load(y)};
-    View v = look(lamp, p);
-    for (int i = 0; i < count; ++i)
-        if (hides_all(hidden_by(casters[which[i]], corners, p, v, lamp.size))) return true;
-    return false;
-}
-
 EVIL_INLINE void add(float* to, Floats amount) { store(to, load(to) + amount); }
 
 EVIL_INLINE Floats to_screen(Floats linear) { // to the power of 1/4 + 1/8 + 1/16 + 1/64
@@ -190,12 +177,35 @@ EVIL_INLINE void add_ways(const light::Planes& planes, int at, const Lamp& lamp,
     }
 }
 
+EVIL_INLINE void extent(Floats of, float& least, float& most) {
+    float low[kLanes], high[kLanes];
+    store(low, min(of, swap_fours(of))), store(high, max(of, swap_fours(of)));
+    least = low[0], most = high[0];
+    for (int i = 1; i < kLanes / 2; ++i) {
+        least = low[i] < least ? low[i] : least;
+        most = high[i] > most ? high[i] : most;
+    }
+}
+
 } // namespace
+
+void outline_casters_wide(const Lamp& lamp, const Caster* casters, const std::uint32_t* which, int count,
+                          const Vec2* corners, const light::Square& square, light::Outline* outlines) noexcept {
+    const float end = static_cast<float>(square.side) - 0.5f, half = 0.5f * static_cast<float>(square.side);
+    const float x[8] = {0.5f, half, end, 0.5f, end, 0.5f, half, end},
+                y[8] = {0.5f, 0.5f, 0.5f, half, half, end, end, end};
+    Points p{Floats(static_cast<float>(square.x)) + load(x), Floats(static_cast<float>(square.y)) + load(y)};
+    View v = look(lamp, p);
+    for (int i = 0; i < count; ++i) {
+        Interval hidden = hidden_by(casters[which[i]], corners, p, v, lamp.size);
+        extent(hidden.from, outlines[i].from_least, outlines[i].from_most);
+        extent(hidden.to, outlines[i].to_least, outlines[i].to_most);
+    }
+}
 
 void shade_patch_wide(const Lamp& lamp, const Caster* casters, const std::uint32_t* which, int count,
                       const Vec2* corners, const light::Patch& patch, const light::Planes& planes,
                       Hidden* hidden) noexcept {
-    if (count > 0 && in_umbra(lamp, casters, which, count, corners, patch)) return;
     const Floats x = Floats(static_cast<float>(patch.x) + 0.5f) + to_float(lane_numbers());
     for (int row = 0; row < patch.rows; ++row) {
         Points p{x, static_cast<float>(patch.y + row) + 0.5f};

@@ -6,6 +6,9 @@ namespace evil {
 
 // clang-format off
 EVIL_WIDE(
+// Seen from the rim of a square. Where a caster hides nothing, it begins behind its end.
+void outline_casters_wide(const light::Lamp& lamp, const light::Caster* casters, const std::uint32_t* which, int count,
+                          const Vec2* corners, const light::Square& square, light::Outline* outlines) noexcept;
 // Adds one lamp's light to a patch; `casters` are those that may hide some of it there, `hidden` has room for each.
 void shade_patch_wide(const light::Lamp& lamp, const light::Caster* casters, const std::uint32_t* which, int count,
                       const Vec2* corners, const light::Patch& patch, const light::Planes& planes,
