@@ -137,3 +137,22 @@ def test_how_much_bodies_send_on_is_saved_with_the_game():
     assert other.lights.bounce == 0.4
     with pytest.raises(evil.ArgumentError, match="bounce=-1"):
         game.lights.bounce = -1
+
+
+def test_what_glows_lights_what_is_round_it_and_casts_shadows():
+    game = lit_game()
+    game.lights.quality = "high"
+    sign = game.draw(evil.Rectangle(0.6, 0.6), at=(-2, 0), colour="#ff8000", outline=False)
+    assert light_of(game)[0].max() == 0
+    sign.glow = 1.0
+    light, places = light_of(game)
+    away = np.hypot(places[..., 0] + 2, places[..., 1])
+    red = [light[(away > d - 0.1) & (away < d + 0.1), 0].mean() for d in (0.6, 1.0, 1.5, 2.2)]
+    assert np.all(np.diff(red) < 0)
+    seen = np.arctan2(0.3, 1.2) / np.pi  # the share of all directions in which it lies, from its side
+    row, column = np.argmin(np.abs(places[:, 0, 1])), np.argmin(np.abs(places[0, :, 0] + 0.5))
+    assert light[row, column, 0] == pytest.approx(seen, rel=0.15)
+    assert light[row, column, 1] == pytest.approx(light[row, column, 0] * (128 / 255) ** GAMMA, rel=0.1)
+    game.add(evil.Rectangle(0.1, 3), at=(-1, 0), kind="static", colour="black")
+    shaded, _ = light_of(game)
+    assert shaded[row, column].max() < 0.05 * light[row, column, 0]

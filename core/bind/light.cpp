@@ -59,7 +59,7 @@ bool collect(LightsBox& box, const SceneBox& scene, World& world, const Matrix6&
     look.quality = quality;
     look.bounce = bounce;
     look.on = needed, look.directed = directed;
-    if (needed && quality == light::Quality::high) find_colours(box.scratch.bounce, scene.scene, world);
+    if (needed && quality == light::Quality::high) find_colours(box.scratch.bounce, scene.scene, list, world);
     light::compute(list.light, box.scratch, box.lights, look, world, to_affine(view), part_of_step(alpha), width,
                    height);
     return needed;

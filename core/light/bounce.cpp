@@ -30,8 +30,9 @@ int beyond(int texel) { return (texel % kAnchor + kAnchor) % kAnchor; }
 void take_in(Bounce& bounce, const BounceMap& map, const BounceLook& look) {
     Cells& cells = bounce.cells;
     const int left = beyond(map.left), top = beyond(map.top);
-    cells.resize(left + map.width + beyond(-map.left - map.width), top + map.height + beyond(-map.top - map.height));
-    const std::size_t plane = static_cast<std::size_t>(map.stride) * map.height;
+    cells.resize(left + map.width + beyond(-map.left - map.width), top + map.height + beyond(-map.top - map.height),
+                 !bounce.glowing.colours.empty());
+    const std::size_t plane = static_cast<std::size_t>(map.stride) * map.height, count = bounce.colours.size();
     for (int y = 0; y < map.height; ++y) {
         const std::size_t at = static_cast<std::size_t>(y) * map.stride;
         const std::uint32_t* bodies = bounce.bodies.data() + at;
@@ -40,9 +41,14 @@ void take_in(Bounce& bounce, const BounceMap& map, const BounceLook& look) {
         for (int c = 0; c < 3; ++c) {
             float* colour = cells.row(Cells::colour + c, top + y) + left;
             const float *open = map.open + c * plane + at, *shaded = map.shaded + c * plane + at;
-            for (int x = 0; x < map.width; ++x)
-                colour[x] = bodies[x] == kNone ? open[x] - look.ambient[c] + shaded[x]
-                                               : look.strength * bounce.colours[bodies[x]][c];
+            for (int x = 0; x < map.width; ++x) {
+                if (bodies[x] == kNone)
+                    colour[x] = open[x] - look.ambient[c] + shaded[x];
+                else if (bodies[x] < count)
+                    colour[x] = look.strength * bounce.colours[bodies[x]][c];
+                else
+                    cells.row(Cells::glow + c, top + y)[left + x] = bounce.glowing.colours[bodies[x] - count][c];
+            }
         }
     }
 }
@@ -72,7 +78,7 @@ void add_found(const Bounce& bounce, const BounceMap& map, const float* found, s
 
 } // namespace
 
-void find_colours(Bounce& bounce, const draw::Scene& scene, const World& world) {
+void find_colours(Bounce& bounce, const draw::Scene& scene, const draw::DrawList& list, const World& world) {
     if (bounce.levels.empty())
         for (int level = 0; level < 256; ++level)
             bounce.levels.push_back(static_cast<float>(power(level / 255.0, 1.0 / kToScreen)));
@@ -82,6 +88,7 @@ void find_colours(Bounce& bounce, const draw::Scene& scene, const World& world) 
         if (!drawing.visible || drawing.body.slot == kNone || drawing.blend != draw::Blend::over) continue;
         bounce.colours[drawing.body.slot] = colour_of(bounce.levels, scene, drawing);
     }
+    find_glowing(bounce.glowing, list, bounce.levels);
 }
 
 void add_bounced(Bounce& bounce, const BounceMap& map, const BounceLook& look, const Casters& casters, World& world) {
@@ -90,6 +97,10 @@ void add_bounced(Bounce& bounce, const BounceMap& map, const BounceLook& look, c
     for (const Caster& caster : casters.rows)
         fill<std::uint32_t>(casters, caster, map.width, map.height, map.stride, bounce.bodies, caster.body,
                             Covers::any);
+    move_to(bounce.glowing, map.from_pixel);
+    for (const Caster& piece : bounce.glowing.pieces.rows)
+        fill<std::uint32_t>(bounce.glowing.pieces, piece, map.width, map.height, map.stride, bounce.bodies,
+                            static_cast<std::uint32_t>(bounce.colours.size()) + piece.body, Covers::any);
     take_in(bounce, map, look);
     const Sky sky{look.ambient, std::max(look.reach, 1.0f)};
     const std::size_t row = static_cast<std::size_t>(bounce.cells.width);

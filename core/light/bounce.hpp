@@ -3,6 +3,7 @@
 // bodies. The quality "high" has it.
 #include "light/cascades.hpp"
 #include "light/casters.hpp"
+#include "light/glowing.hpp"
 #include "light/lights.hpp"
 
 namespace evil::draw {
@@ -11,10 +12,11 @@ struct Scene;
 
 namespace evil::light {
 
-struct Bounce {                        // scratch
-    std::vector<float> levels;         // linear light of 0..255
-    std::vector<Rgb> colours;          // by body slot: what share of light it sends back
-    std::vector<std::uint32_t> bodies; // by texel: the body's slot, kNone in the air
+struct Bounce {                // scratch
+    std::vector<float> levels; // linear light of 0..255
+    std::vector<Rgb> colours;  // by body slot: what share of light it sends back
+    Glowing glowing;
+    std::vector<std::uint32_t> bodies; // by texel: the body's slot, after those what glows, and kNone in the air
     std::vector<float> planes;         // red, green, blue
     Cells cells;
     Cascades cascades;
@@ -28,13 +30,14 @@ struct BounceLook {
 
 struct BounceMap { // its texels; planes of red, green and blue one after another
     int width, height, stride;
+    Affine from_pixel; // of the picture, to texels
     int left, top;     // of the world's texels, the first one's number: where cascades begin follows from that
     const float* open; // light of lamps that shine through everything, and the ambient light
     float* shaded;     // that of the others
 };
 
-// What bodies look like in even white light: of their drawings' colours, the one in front.
-void find_colours(Bounce& bounce, const draw::Scene& scene, const World& world);
+// What bodies look like in even white light, of their drawings' colours the one in front; and what glows.
+void find_colours(Bounce& bounce, const draw::Scene& scene, const draw::DrawList& list, const World& world);
 
 // Adds to what is shaded the light of surfaces, less what of the ambient light is kept away.
 void add_bounced(Bounce& bounce, const BounceMap& map, const BounceLook& look, const Casters& casters, World& world);

@@ -68,7 +68,8 @@ void trace_first(Cascades& scratch, const Quarter& q, const Levels& levels, Thre
                     continue;
                 }
                 EVIL_PICK(set, first_rays_wide)
-                ({q.cell_row(row), q.cell_row(row + 1), q.cells.plane_size(), aside(0, ray)}, q.width, q.stride, to);
+                ({q.cell_row(row), q.cell_row(row + 1), q.cells.plane_size(), aside(0, ray), q.cells.glows}, q.width,
+                 q.stride, to);
             }
     });
 }
@@ -183,8 +184,8 @@ template <class Put> void each_turned(int width, int height, Put&& put) {
 }
 
 void turn(Cells& turned, const Cells& cells) {
-    turned.resize(cells.height, cells.width);
-    for (int plane = 0; plane < Cells::planes; ++plane) {
+    turned.resize(cells.height, cells.width, cells.glows);
+    for (int plane = 0; plane < cells.planes(); ++plane) {
         const float* from = cells.row(plane, 0);
         float* to = turned.row(plane, 0);
         each_turned(cells.width, cells.height, [&](int x, int y) {

@@ -24,15 +24,18 @@ namespace evil::light {
 // What rays meet, by cell. Rows have a border of air, so that neighbours can be read.
 struct Cells {
     static constexpr int kBorder = 8;
-    // Whether it is solid, 0 or 1; and in red, green, blue what share of light that sends back, or how much is in the air.
-    enum Plane : int { solid, colour, planes = colour + 3 };
+    // Whether it is solid, 0 or 1; in red, green, blue what share of light that sends back, or how much is in the air; and,
+    // where anything glows, how strongly.
+    enum Plane : int { solid, colour, glow = colour + 3 };
     int width = 0, height = 0, stride = 0;
+    bool glows = false;
     std::vector<float> values;
 
-    void resize(int w, int h) { // all air, and dark
-        width = w, height = h, stride = (w + 7) / 8 * 8 + 2 * kBorder;
-        values.assign(static_cast<std::size_t>(planes) * plane_size(), 0.0f);
+    void resize(int w, int h, bool with_glow) { // all air, and dark
+        width = w, height = h, stride = (w + 7) / 8 * 8 + 2 * kBorder, glows = with_glow;
+        values.assign(static_cast<std::size_t>(planes()) * plane_size(), 0.0f);
     }
+    int planes() const { return glows ? glow + 3 : glow; }
     std::size_t plane_size() const { return static_cast<std::size_t>(stride) * height; }
     float* row(int plane, int y) {
         return values.data() + plane * plane_size() + static_cast<std::size_t>(y) * stride + kBorder;

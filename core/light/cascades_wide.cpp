@@ -97,6 +97,9 @@ void first_rays_wide(const light::FirstRays& rays, int count, std::size_t stride
         for (int c = 0; c < 3; ++c) {
             const std::size_t colour = (Cells::colour + c) * rays.plane;
             met.light[c] = air * load(start + colour) * (hit * load(end + colour) + corner * load(ahead + colour));
+            if (!rays.glows) continue;
+            const std::size_t glow = (Cells::glow + c) * rays.plane;
+            met.light[c] += load(end + glow) + corner * load(ahead + glow);
         }
         put(met, stride, to + i);
     }

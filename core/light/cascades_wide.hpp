@@ -10,6 +10,7 @@ struct FirstRays {          // from each cell of a row to one of the next
     const float *from, *to; // the rows of cells, and their planes behind them
     std::size_t plane;      // floats from plane to plane
     int shift;              // -1 or 1: to which side
+    bool glows;             // are there planes of what glows?
 };
 
 struct Pair {                // rays one behind the other

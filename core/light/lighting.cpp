@@ -234,9 +234,12 @@ void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& 
             fill<std::uint8_t>(scratch.casters, caster, grid.width, grid.height, grid.stride, scratch.solid, 1,
                                Covers::middle);
         shade(scratch, std::span(scratch.shaded).first(scratch.shaded_count), grid, shaded, world);
+        const float t = 1.0f / map.step;
+        const Affine from_pixel{t, 0, 0, t, 0.5f - map.first.x * t, 0.5f - map.first.y * t};
         if (look.quality == Quality::high)
             add_bounced(scratch.bounce,
-                        {grid.stride, grid.height, grid.stride, grid.left, grid.top, open.light[0], shaded.light[0]},
+                        {grid.stride, grid.height, grid.stride, from_pixel, grid.left, grid.top, open.light[0],
+                         shaded.light[0]},
                         {ambient, look.bounce, look.shade * grid.scale}, scratch.casters, world);
         const int reach = std::clamp(static_cast<int>(std::lround(look.depth * grid.scale)), 1, grid.width);
         add_shaded(scratch, grid, reach, open.light, shaded.light, world.threads);
