@@ -27,12 +27,12 @@ def plank(at, period, way):
 
 plank((5.5, 0.2), 1.0, (1.4, 0))
 plank((14, 1.4), 0.8, (0, 1.2))
-for number, x in enumerate((-21, -20, -1.5, -0.6, 0.3, 18, 19)):
-    game.add(evil.Rectangle(0.7, 0.7), at=(x, 1 + number % 2), colour=PLANK, outline=True, lit=True)
-for x, y in ((-24, 0), (-15, 0), (-6, 0.8), (1.5, 0), (10, 1.2), (22, 0)):
-    game.draw(evil.Rectangle(0.1, 2.6), at=(x, y + 1.3), colour="#15131f", layer=-1)
-    game.draw(evil.Circle(0.16), at=(x, y + 2.7), colour="#fff0c8", layer=-1)
-    game.add_light(at=(x, y + 2.7), colour="#ffce8a", radius=7, intensity=1.4)
+for number, place in enumerate((-21, -20, -1.5, -0.6, 0.3, 18, 19)):
+    game.add(evil.Rectangle(0.7, 0.7), at=(place, 1 + number % 2), colour=PLANK, outline=True, lit=True)
+for at, base in ((-24, 0), (-15, 0), (-6, 0.8), (1.5, 0), (10, 1.2), (22, 0)):
+    game.draw(evil.Rectangle(0.1, 2.6), at=(at, base + 1.3), colour="#15131f", layer=-1)
+    game.draw(evil.Circle(0.16), at=(at, base + 2.7), colour="#fff0c8", layer=-1)
+    game.add_light(at=(at, base + 2.7), colour="#ffce8a", radius=7, intensity=1.4)
 game.draw(evil.Triangle((25, 1.4), (25, 2.6), (26.2, 2)), colour="#e4572e")
 game.ambient, game.post.bloom, game.post.vignette = "#3d4468", 0.5, 0.3
 players = [game.add_character(at=at, colour=c, lit=True) for at, c in (((-26, 1), "#ff9d5c"), ((-25, 1), "#6ec6ff"))]

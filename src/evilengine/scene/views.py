@@ -169,7 +169,7 @@ class Views:
         if len(self) >= MOST:
             raise ArgumentError(f"{owner}: there are {MOST} views already, as many as a window may have")
         first = self._rows[0].camera
-        look = {"position": first.position, "angle": first.angle, "zoom": first.zoom}
+        look: dict[str, Any] = {"position": first.position, "angle": first.angle, "zoom": first.zoom}
         camera = Camera(view_height=view_height, **(look | options))
         if view_height is None:
             camera._fit = first._fit
@@ -263,7 +263,7 @@ class Views:
         self._rows = list(views)
 
 
-def to_area(value: object, owner: str) -> Area:
+def to_area(value: Any, owner: str) -> Area:
     """Shares of the window, or a word for them, as left, bottom, right, top."""
     if isinstance(value, str):
         if value not in AREAS:
@@ -271,7 +271,7 @@ def to_area(value: object, owner: str) -> Area:
             raise ArgumentError(f"{owner}: area={value!r} must be one of {words}{did_you_mean(value, AREAS)}")
         return AREAS[value]
     try:
-        left, bottom, right, top = value  # type: ignore[misc]  # anything may come in here
+        left, bottom, right, top = value
     except (TypeError, ValueError):
         raise ArgumentTypeError(
             f"{owner}: area={value!r} must be left, bottom, right, top as shares of the window, or a word such as "

@@ -96,7 +96,7 @@ class Pipeline:
         self.draw_calls = 0
         """Of the last frame."""
         self.target: Target | None = None
-        self._batcher = _core.Batcher() if of is None else of._batcher.another()
+        self._batcher: _core.Batcher = _core.Batcher() if of is None else of._batcher.another()
         self._pictures: dict[int, Texture] = {} if of is None else of._pictures
         self.programs = Programs(device) if of is None else of.programs
         self._atlas = Atlas(device, self._batcher) if of is None else of._atlas
