@@ -3,6 +3,7 @@
 #include "draw/draw_list.hpp"
 #include "gpu/batches.hpp"
 #include "raster/pyramid.hpp"
+#include "raster/shafts.hpp"
 #include "raster/texture.hpp"
 #include <memory>
 #include <nanobind/stl/array.h>
@@ -30,11 +31,24 @@ template <class T> Memory memory_of(const std::shared_ptr<const void>& owner, co
     return {owner, values.data(), values.size() * sizeof(T)};
 }
 
-nb::tuple to_tuple(const draw::Interlude& interlude) {
+nb::tuple to_tuple(const draw::Interlude& interlude, const draw::Interludes& all) {
     switch (interlude.kind) {
     case draw::InterludeKind::blur: {
         const raster::Depth depth = raster::depth_of(interlude.radius);
         return nb::make_tuple("blur", depth.levels, depth.share);
+    }
+    case draw::InterludeKind::shafts: {
+        const draw::Shafts& shafts = all.shafts[interlude.first];
+        nb::list passes;
+        for (int pass = 0; pass < raster::kShaftPasses; ++pass) {
+            const raster::ShaftTaps taps = raster::shaft_taps(shafts.reach, pass);
+            nb::list at, weight;
+            for (int i = 0; i < raster::kShaftTaps; ++i) at.append(taps.at[i]), weight.append(taps.weight[i]);
+            passes.append(nb::make_tuple(nb::tuple(at), nb::tuple(weight)));
+        }
+        const raster::Glow glow = raster::glow_of(shafts);
+        return nb::make_tuple("shafts", nb::make_tuple(shafts.from.x, shafts.from.y), nb::tuple(passes),
+                              nb::make_tuple(glow.red, glow.green, glow.blue), shafts.threshold);
     }
     case draw::InterludeKind::post:
         return nb::make_tuple("post");
@@ -92,7 +106,7 @@ public:
         nb::list batches;
         for (const gpu::Batch& batch : frame_->batches) {
             if (batch.interlude) {
-                batches.append(to_tuple(*batch.interlude));
+                batches.append(to_tuple(*batch.interlude, list.interludes));
                 continue;
             }
             if (batch.sprites) {
@@ -165,7 +179,8 @@ void register_gpu(nb::module_& module) {
              "A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus "
              "twice the number of their draw::Blend plus 8 if any has normals or glows. "
              "Or ('sprites', first, count, page of the atlas, COVER, is one lit, blend). "
-             "Between them ('specks', first, count, are they discs, do they add), ('blur', levels, share), ('post',).")
+             "Between them ('specks', first, count, are they discs, do they add), ('blur', levels, share), "
+             "('shafts', from, taps of each pass, colour, threshold), ('post',).")
         .def_prop_ro(
             "post", [](const Batcher& b) { return settings_of(b.post()); },
             nb::sig("def post(self) -> dict[str, float]"), "What the post pass of the frame is told.")

@@ -4,6 +4,7 @@
 #include "bind/scene.hpp"
 #include "bind/visit.hpp"
 #include "draw/draw_list.hpp"
+#include "draw/lit_specks.hpp"
 #include "light/lighting.hpp"
 #include <algorithm>
 #include <nanobind/stl/array.h>
@@ -47,7 +48,7 @@ bool collect(LightsBox& box, const SceneBox& scene, World& world, const Matrix6&
              int height, const light::Rgb& ambient, float strength, float depth, int step, light::Quality quality,
              float bounce) {
     draw::DrawList& list = *scene.list;
-    bool needed = false, directed = false;
+    bool needed = draw::has_lit_specks(list), directed = false;
     for (const draw::Instance& one : list.instances)
         needed |= one.lit, directed |= one.lit && one.normals != draw::kNoTexture;
     light::remove_orphans(box.lights, world.bodies.slots);
@@ -62,6 +63,7 @@ bool collect(LightsBox& box, const SceneBox& scene, World& world, const Matrix6&
     if (needed && quality == light::Quality::high) find_colours(box.scratch.bounce, scene.scene, list, world);
     light::compute(list.light, box.scratch, box.lights, look, world, to_affine(view), part_of_step(alpha), width,
                    height);
+    draw::light_specks(list);
     return needed;
 }
 

@@ -44,4 +44,6 @@ inline const draw::Overlay& overlay_of(const SceneBox& box) {
     return *box.overlay;
 }
 
+void register_frame(nb::class_<SceneBox>& scene); // bind/frame.cpp
+
 } // namespace evil::bind

@@ -2,27 +2,36 @@
 // What happens between the instances of a frame: specks, and what is done to all that has been drawn so far.
 #include "draw/post.hpp"
 #include "draw/specks.hpp"
+#include <cstdint>
 #include <vector>
 
 namespace evil::draw {
 
-enum class InterludeKind : std::uint8_t { specks, blur, post };
+enum class InterludeKind : std::uint8_t { specks, blur, shafts, post };
+
+struct Shafts {                                            // of light, from what is bright
+    Vec2 from;                                             // pixels: which point they go away from
+    std::uint32_t colour = 0xffffffffu;                    // straight; with alpha as how strong they are
+    float strength = 1.0f, reach = 1.0f, threshold = 0.5f; // reach: how much of the way to that point a pixel sees
+};
 
 struct Interlude {
     std::uint32_t before = 0; // index of the instance that follows it
     InterludeKind kind = InterludeKind::specks;
-    std::uint32_t first = 0, count = 0; // rows of specks
+    std::uint32_t first = 0, count = 0; // rows of specks; or which shafts
     SpeckForm form = SpeckForm::soft;
     bool adds = false;   // the specks add light to what is behind, rather than covering it
+    bool lit = false;    // the specks are in the light
     float radius = 0.0f; // of a blur, in pixels
 };
 
 struct Interludes {
     std::vector<Interlude> rows; // in the order in which they are done: `before` never falls
     std::vector<Speck> specks;
+    std::vector<Shafts> shafts;
     Post post; // of the one of that kind, if there is one
 
-    void clear() { rows.clear(), specks.clear(); }
+    void clear() { rows.clear(), specks.clear(), shafts.clear(); }
 };
 
 } // namespace evil::draw

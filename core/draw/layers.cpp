@@ -17,14 +17,24 @@ void move_to_layer(DrawList& list, std::uint32_t first, std::int32_t layer) {
         if (start.layer > layer) start.first += count;
 }
 
-void add_fog(DrawList& list, std::int32_t layer, Rgba8 top, Rgba8 bottom, Vec2 screen) {
+void add_fog(DrawList& list, std::int32_t layer, Rgba8 top, Rgba8 bottom, Vec2 screen, bool lit) {
     const Vertex corners[] = {
         {{0, 0}, {0, 0}, top}, {{1, 0}, {1, 0}, top}, {{1, 1}, {1, 1}, bottom}, {{0, 1}, {0, 1}, bottom}};
     constexpr std::uint32_t kTriangles[] = {0, 1, 2, 0, 2, 3};
     const std::uint32_t mesh = add_polygon(list, corners, kTriangles);
     const auto first = static_cast<std::uint32_t>(list.instances.size());
-    list.instances.push_back({{screen.x, 0, 0, screen.y, 0, 0}, {}, mesh, kNoTexture, 0xffffffffu, 0.0f});
+    list.instances.push_back(
+        {{screen.x, 0, 0, screen.y, 0, 0}, {}, mesh, kNoTexture, 0xffffffffu, 0.0f, Blend::over, lit});
     move_to_layer(list, first, layer);
+}
+
+void add_shafts(DrawList& list, std::int32_t layer, const Shafts& shafts) {
+    Interlude row;
+    row.before = end_of_layer(list, layer);
+    row.kind = InterludeKind::shafts;
+    row.first = static_cast<std::uint32_t>(list.interludes.shafts.size());
+    list.interludes.shafts.push_back(shafts);
+    list.interludes.rows.push_back(row);
 }
 
 void add_blur(DrawList& list, std::int32_t layer, float radius) {

@@ -31,6 +31,7 @@ public:
         const bool own = !looks_.empty() && looks_.front().layer == layer;
         view = own ? compose(world_, looks_.front().to_world) : world_;
         tint = own ? looks_.front().tint : 0xffffffffu;
+        size = own ? looks_.front().to_world.a : 1.0f;
         return seen_ = !own || looks_.front().visible;
     }
 
@@ -43,6 +44,7 @@ private:
 public:
     Affine view; // of this layer
     Rgba8 tint = 0xffffffffu;
+    float size = 1.0f; // in perspective, of what would be as large in the world's plane
 };
 
 // The index at which the instances of nearer layers begin.
@@ -52,7 +54,10 @@ std::uint32_t end_of_layer(const DrawList& list, std::int32_t layer);
 void move_to_layer(DrawList& list, std::uint32_t first, std::int32_t layer);
 
 // A sheet of fog over all of a layer and what lies behind it: from one colour at the picture's top to one at its bottom.
-void add_fog(DrawList& list, std::int32_t layer, Rgba8 top, Rgba8 bottom, Vec2 screen);
+void add_fog(DrawList& list, std::int32_t layer, Rgba8 top, Rgba8 bottom, Vec2 screen, bool lit);
+
+// Shafts of light over all of a layer and what lies behind it.
+void add_shafts(DrawList& list, std::int32_t layer, const Shafts& shafts);
 
 // All of a layer and what lies behind it goes out of focus; `radius` in pixels.
 void add_blur(DrawList& list, std::int32_t layer, float radius);

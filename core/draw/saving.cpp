@@ -3,6 +3,7 @@
 #include "shapes/polygon.hpp"
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace evil::draw {
 namespace {
@@ -14,8 +15,8 @@ template <class A, Like<Vertex> V> void fields(A& ar, V& v) { visit(ar, v.at, v.
 // What a drawing keeps; the generations of what it is on are a process's own.
 template <class A, Like<Drawing> V> void fields(A& ar, V& d) {
     visit(ar, d.body.slot, d.shape.slot, d.local, d.texture_matrix, d.mesh, d.texture, d.tint, d.edge, d.edge_width,
-          d.layer, d.visible, d.lit, d.serial, d.flip_x, d.flip_y, d.blend, d.playing.clip, d.playing.began,
-          d.surface.normals, d.surface.glows, d.glow);
+          d.layer, d.visible, d.lit, d.serial, d.flip_x, d.flip_y, d.blend, d.behind, d.depth, d.playing.clip,
+          d.playing.began, d.surface.normals, d.surface.glows, d.glow);
 }
 
 bool is_there(const Drawing& d, const World& world) {
@@ -55,6 +56,7 @@ bool hold_together(const SavedScene& s) {
         if (std::max({d.texture, d.surface.normals, d.surface.glows}) > s.textures) return false;
         if (!(d.glow == kGlowAsShown || (d.glow >= 0.0f && d.glow <= kMostGlow))) return false;
         if (static_cast<int>(d.blend) >= kBlends) return false;
+        if (!(std::fabs(d.behind) <= kDeepest && d.depth >= 0.0f && d.depth <= kDeepest)) return false;
         if (d.playing.clip != kNone && d.playing.clip >= s.clips) return false;
         if (d.body.slot == kNone && d.shape.slot != kNone) return false;
         serials.push_back(d.serial);

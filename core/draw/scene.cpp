@@ -1,6 +1,8 @@
 #include "draw/scene.hpp"
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <tuple>
 
 namespace evil::draw {
@@ -34,6 +36,43 @@ Affine placed(const Drawing& drawing, const Poses& poses, const Shapes& shapes, 
     Affine to_body{scale.x, 0, 0, scale.y, 0, 0};
     if (drawing.shape.slot != kNone) to_body = definition_to_body(shapes.rows[drawing.shape.slot], scale);
     return compose(affine(between(poses.previous[body], poses.present[body], alpha)), compose(to_body, drawing.local));
+}
+
+// How a drawing is seen from the front; nothing for what is too far away for a float: none of it would be on the picture.
+std::optional<Instance> face_of(const Scene& scene, const Drawing& drawing, const Poses& poses, const Shapes& shapes,
+                                const LayerCursor& layer, float alpha, double now) {
+    Affine to_pixel = compose(layer.view, placed(drawing, poses, shapes, alpha));
+    if (scene.perspective.on && drawing.behind != 0.0f)
+        to_pixel = farther(to_pixel, scene.perspective, layer.size, drawing.behind);
+    if (!is_finite(to_pixel)) return std::nullopt;
+    const std::uint32_t shown = shown_texture(scene, drawing, now);
+    const Surface surface = surface_of(scene, drawing, shown);
+    return Instance{to_pixel,
+                    texture_place(drawing),
+                    drawing.mesh,
+                    shown,
+                    multiplied(drawing.tint, layer.tint),
+                    0.0f,
+                    drawing.blend,
+                    drawing.lit,
+                    drawing.lit ? surface.normals : kNoTexture,
+                    surface.glows,
+                    glow_of(drawing, surface)};
+}
+
+// The sides of all things of the layer that begins at `first` of the order, behind the faces of all of them.
+void add_sides(Scene& scene, std::size_t first, const Poses& poses, const Shapes& shapes, const LayerCursor& layer,
+               float alpha, double now, DrawList& out) {
+    scene.slices.clear();
+    for (std::size_t i = first; i < scene.order.size(); ++i) {
+        const Drawing& drawing = scene.drawings[scene.order[i].slot];
+        if (drawing.layer != scene.drawings[scene.order[first].slot].layer) break;
+        if (!drawing.visible || !(drawing.depth > 0.0f)) continue;
+        if (const std::optional<Instance> face = face_of(scene, drawing, poses, shapes, layer, alpha, now))
+            add_slices(scene.slices, out, *face, scene.perspective, layer.size, drawing.behind, drawing.depth);
+    }
+    std::ranges::stable_sort(scene.slices, std::ranges::greater{}, &Slice::behind);
+    for (const Slice& slice : scene.slices) out.instances.push_back(slice.instance);
 }
 
 } // namespace
@@ -80,6 +119,12 @@ std::uint32_t shown_texture(const Scene& scene, const Drawing& drawing, double n
     return clip.textures[frame_at(clip, now - static_cast<double>(drawing.playing.began))];
 }
 
+Affine texture_place(const Drawing& drawing) {
+    if (!drawing.flip_x && !drawing.flip_y) return drawing.texture_matrix;
+    const float x = drawing.flip_x ? 1.0f : 0.0f, y = drawing.flip_y ? 1.0f : 0.0f;
+    return compose(drawing.texture_matrix, {1 - 2 * x, 0, 0, 1 - 2 * y, x, y});
+}
+
 Surface surface_of(const Scene& scene, const Drawing& drawing, std::uint32_t shown) {
     Surface surface = shown < scene.surfaces.size() ? scene.surfaces[shown] : Surface{};
     if (drawing.surface.normals != kNoTexture) surface.normals = drawing.surface.normals;
@@ -90,12 +135,6 @@ Surface surface_of(const Scene& scene, const Drawing& drawing, std::uint32_t sho
 float glow_of(const Drawing& drawing, const Surface& surface) {
     if (drawing.glow >= 0.0f) return drawing.glow;
     return surface.glows != kNoTexture ? 1.0f : 0.0f;
-}
-
-Affine texture_place(const Drawing& drawing) {
-    if (!drawing.flip_x && !drawing.flip_y) return drawing.texture_matrix;
-    const float x = drawing.flip_x ? 1.0f : 0.0f, y = drawing.flip_y ? 1.0f : 0.0f;
-    return compose(drawing.texture_matrix, {1 - 2 * x, 0, 0, 1 - 2 * y, x, y});
 }
 
 void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affine& view, float alpha, double now,
@@ -127,27 +166,24 @@ void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affin
     out.light.on = out.light.directed = false;
 
     LayerCursor layer{scene.looks, view};
-    for (const DrawingRef ref : scene.order) {
-        const Drawing& drawing = scene.drawings[ref.slot];
+    for (std::size_t i = 0; i < scene.order.size(); ++i) {
+        const Drawing& drawing = scene.drawings[scene.order[i].slot];
         if (!drawing.visible || !layer.go_to(drawing.layer)) continue;
-        const Affine to_pixel = compose(layer.view, placed(drawing, poses, shapes, alpha));
-        if (!is_finite(to_pixel)) continue; // too far away for a float; nothing of it would be on the picture
-        if (out.layers.empty() || out.layers.back().layer != drawing.layer)
+        const std::optional<Instance> face = face_of(scene, drawing, poses, shapes, layer, alpha, now);
+        if (!face) continue;
+        if (out.layers.empty() || out.layers.back().layer != drawing.layer) {
             out.layers.push_back({drawing.layer, static_cast<std::uint32_t>(out.instances.size())});
-        const std::uint32_t shown = shown_texture(scene, drawing, now);
-        const Surface surface = surface_of(scene, drawing, shown);
-        out.instances.push_back({to_pixel, texture_place(drawing), drawing.mesh, shown,
-                                 multiplied(drawing.tint, layer.tint), 0.0f, drawing.blend, drawing.lit,
-                                 drawing.lit ? surface.normals : kNoTexture, surface.glows, glow_of(drawing, surface)});
-        if (drawing.edge_width > 0.0f)
-            out.instances.push_back({to_pixel,
-                                     {},
-                                     drawing.mesh,
-                                     kNoTexture,
-                                     multiplied(drawing.edge, layer.tint),
-                                     drawing.edge_width * points,
-                                     drawing.blend,
-                                     drawing.lit});
+            if (scene.perspective.on) add_sides(scene, i, poses, shapes, layer, alpha, now, out);
+        }
+        out.instances.push_back(*face);
+        if (drawing.edge_width > 0.0f) {
+            Instance edge = *face;
+            edge.to_texture = {}, edge.texture = edge.normals = edge.glows = kNoTexture;
+            edge.glow = 0.0f;
+            edge.tint = multiplied(drawing.edge, layer.tint);
+            edge.outline = drawing.edge_width * points;
+            out.instances.push_back(edge);
+        }
     }
 }
 

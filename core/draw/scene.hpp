@@ -1,5 +1,6 @@
 #pragma once
 // What is drawn (SPEC A5, G13): drawings that follow a body or stand by themselves, in layers.
+#include "draw/depth.hpp"
 #include "draw/draw_list.hpp"
 #include "draw/flipbook.hpp"
 #include "draw/layers.hpp"
@@ -32,8 +33,9 @@ struct Drawing {            // draw/saving.cpp says which of it is saved
     bool lit = false;
     bool flip_x = false, flip_y = false; // the picture mirrored, left for right and top for bottom
     Blend blend = Blend::over;
-    Surface surface;           // none: those of the picture that it shows
-    float glow = kGlowAsShown; // how strongly it shines by itself
+    Surface surface;                   // none: those of the picture that it shows
+    float glow = kGlowAsShown;         // how strongly it shines by itself
+    float behind = 0.0f, depth = 0.0f; // metres, in perspective: how far off its face is, and how far it reaches back
     Playing playing;
     std::uint64_t serial = 0; // order of creation, never used again
 };
@@ -48,6 +50,8 @@ struct Scene { // State
     bool sorted = true;            // `order` follows layer and serial
     std::uint64_t next_serial = 0;
     std::vector<LayerLook> looks; // of this frame: layers that are not seen as the world is
+    Perspective perspective;      // of this frame
+    std::vector<Slice> slices;    // scratch
 };
 
 // The drawing takes over one use of its mesh. Serial is given here.

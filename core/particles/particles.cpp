@@ -193,8 +193,8 @@ draw::Instance picture_of(Vec2 at, Rot turn, const Affine& view, float half, dra
                           std::uint32_t square) {
     const Vec2 x = half * apply_linear(view, {turn.c, turn.s}), y = half * apply_linear(view, {turn.s, -turn.c});
     const Vec2 corner = at - x - y;
-    return {{2 * x.x, 2 * x.y, 2 * y.x, 2 * y.y, corner.x, corner.y}, {}, square, look.texture, colour, 0.0f,
-            look.adds ? draw::Blend::add : draw::Blend::over};
+    return {{2 * x.x, 2 * x.y, 2 * y.x, 2 * y.y, corner.x, corner.y}, {},      square, look.texture, colour, 0.0f,
+            look.adds ? draw::Blend::add : draw::Blend::over,         look.lit};
 }
 
 struct Seen { // a particle on the screen
@@ -207,13 +207,14 @@ struct Seen { // a particle on the screen
 
 // Calls back for each particle that may be seen, from the oldest to the youngest.
 template <class Visit>
-void each_seen(const Emitter& emitter, const Affine& view, float back, float scale, Vec2 screen, Visit visit) {
+void each_seen(const Emitter& emitter, const Affine& view, float back, float scale, Vec2 screen, draw::Rgba8 tint,
+               Visit visit) {
     const State& s = emitter.state;
     const auto& c = s.columns;
     const float stretch = emitter.look.stretch;
     for (std::uint32_t i = 0; i < s.count; ++i) {
         const int k = knot(c[kPart][i]);
-        const draw::Rgba8 colour = emitter.curves.colour[k];
+        const draw::Rgba8 colour = draw::multiplied(emitter.curves.colour[k], tint);
         const Vec2 velocity = emitter.curves.pace[k] * Vec2{c[kVx][i], c[kVy][i]};
         const Vec2 at = apply(view, Vec2{c[kX][i], c[kY][i]} - back * velocity);
         const float half = 0.5f * emitter.curves.size[k] * c[kSize][i];
@@ -225,9 +226,9 @@ void each_seen(const Emitter& emitter, const Affine& view, float back, float sca
 }
 
 void insert_pictures(const Emitter& emitter, const Affine& view, float back, float scale, Vec2 screen,
-                     std::uint32_t square, draw::DrawList& out) {
+                     std::uint32_t square, draw::Rgba8 tint, draw::DrawList& out) {
     const auto first = static_cast<std::uint32_t>(out.instances.size());
-    each_seen(emitter, view, back, scale, screen, [&](const Seen& p) {
+    each_seen(emitter, view, back, scale, screen, tint, [&](const Seen& p) {
         const Rot turn = p.turn == 0.0f ? Rot{} : rotation(p.turn);
         out.instances.push_back(picture_of(p.at, turn, view, p.half, p.colour, emitter.look, square));
     });
@@ -261,17 +262,17 @@ void burst(Emitter& emitter, const World& world, std::uint32_t count) {
 }
 
 void collect(const Emitter& emitter, const Affine& view, float alpha, float dt, Vec2 screen, std::uint32_t square,
-             draw::DrawList& out) {
+             draw::Rgba8 tint, draw::DrawList& out) {
     const float back = (1.0f - alpha) * dt, scale = std::sqrt(std::fabs(determinant(view)));
     const float stretch = 0.5f * emitter.look.stretch;
     if (emitter.look.texture != draw::kNoTexture)
-        return insert_pictures(emitter, view, back, scale, screen, square, out);
+        return insert_pictures(emitter, view, back, scale, screen, square, tint, out);
     std::vector<draw::Speck>& specks = out.interludes.specks;
     draw::Interlude run;
     run.before = draw::end_of_layer(out, emitter.look.layer);
     run.first = static_cast<std::uint32_t>(specks.size());
-    run.form = emitter.look.form, run.adds = emitter.look.adds;
-    each_seen(emitter, view, back, scale, screen, [&](const Seen& p) {
+    run.form = emitter.look.form, run.adds = emitter.look.adds, run.lit = emitter.look.lit;
+    each_seen(emitter, view, back, scale, screen, tint, [&](const Seen& p) {
         const Vec2 along = stretch > 0.0f ? stretch * apply_linear(view, p.velocity) : Vec2{};
         specks.push_back(speck_of(p.at, along, scale * p.half, p.colour));
     });

@@ -49,6 +49,7 @@ struct Definition {
 struct Look {
     draw::SpeckForm form = draw::SpeckForm::soft;
     bool adds = false;    // light is added to what is behind, rather than covering it
+    bool lit = false;     // they take the light of where they are
     float stretch = 0.0f; // seconds of its way that a particle is long; 0: as long as wide
     std::uint32_t texture = draw::kNoTexture;
     std::int32_t layer = 0;
@@ -95,9 +96,10 @@ void step(Emitter& emitter, World& world, float dt);
 void burst(Emitter& emitter, const World& world, std::uint32_t count);
 
 // Appends them to a frame, above the drawings of their layer. Emitters come in the order of their layers. `alpha` and
-// `dt`: which part of the last step has passed. `square`: a mesh of corners (0,0) to (1,1).
+// `dt`: which part of the last step has passed. `square`: a mesh of corners (0,0) to (1,1). `tint`: of
+// their layer.
 void collect(const Emitter& emitter, const Affine& view, float alpha, float dt, Vec2 screen, std::uint32_t square,
-             draw::DrawList& out);
+             draw::Rgba8 tint, draw::DrawList& out);
 
 std::vector<std::uint8_t> snapshot(const State& state);
 bool restore(State& state, std::span<const std::uint8_t> bytes, std::uint32_t most); // false: they are none

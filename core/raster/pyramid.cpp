@@ -1,7 +1,9 @@
 #include "raster/pyramid.hpp"
 #include "raster/pyramid_wide.hpp"
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 namespace evil::raster {
 namespace {
@@ -123,6 +125,57 @@ void blur(const Target& target, float radius, Pyramid& pyramid, Set set) {
         double_into(pyramid.levels[at], pyramid.levels[at + 1], at == depth.levels - 1 ? parts(depth.share) : 256,
                     pyramid.row, set);
     copy_out(pyramid.levels[0], target);
+}
+
+// The bright parts at a quarter of the size, gathered along the ways to the point, in one number a pixel.
+static Greys gathered(const Target& target, const draw::Shafts& shafts, Pyramid& pyramid, Set set) {
+    make_levels(pyramid, 3);
+    copy_in(pyramid.levels[0], target);
+    halve(pyramid.levels[0], pyramid.levels[1], set);
+    halve(pyramid.levels[1], pyramid.levels[2], set);
+    Level& quarter = pyramid.levels[2];
+    std::vector<std::uint8_t>&bright = pyramid.shafts.bright, &other = pyramid.shafts.gathered;
+    bright.resize(static_cast<std::size_t>(quarter.width) * static_cast<std::size_t>(quarter.height));
+    other.resize(bright.size());
+    std::array<std::uint8_t, 256> shares;
+    for (int channel = 0; channel < 256; ++channel) shares[channel] = beyond(channel, shafts.threshold);
+    std::uint8_t* value = bright.data();
+    for (int y = 0; y < quarter.height; ++y)
+        for (const Pixel pixel : std::span(row_of(quarter, y), static_cast<std::size_t>(quarter.width)))
+            *value++ = shares[std::max({pixel & 255u, pixel >> 8 & 255u, pixel >> 16 & 255u})];
+    Greys from{bright.data(), quarter.width, quarter.height};
+    Greys to{other.data(), quarter.width, quarter.height};
+    for (int pass = 0; pass < kShaftPasses; ++pass) {
+        gather(from, to, 0.25f * shafts.from, shaft_taps(shafts.reach, pass), pyramid.shafts);
+        std::swap(from, to);
+    }
+    return from;
+}
+
+void shine(const Target& target, const draw::Shafts& shafts, Pyramid& pyramid, Set set) {
+    const Greys plane = gathered(target, shafts, pyramid, set);
+    const Glow glow = glow_of(shafts);
+    std::array<Pixel, 256> colours;
+    for (int value = 0; value < 256; ++value) {
+        const auto part = [&](float factor) {
+            return static_cast<Pixel>(std::min(factor * static_cast<float>(value) + 0.5f, 255.0f));
+        };
+        colours[value] = part(glow.red) | part(glow.green) << 8 | part(glow.blue) << 16;
+    }
+    Level &half = pyramid.levels[1], &quarter = pyramid.levels[2];
+    for (int y = 0; y < quarter.height; ++y) {
+        const std::uint8_t* values = plane.values + static_cast<std::size_t>(y) * plane.width;
+        for (int x = 0; x < quarter.width; ++x) row_of(quarter, y)[x] = colours[values[x]];
+        hold_ends(quarter, y);
+    }
+    double_into(half, quarter, 256, pyramid.row, set);
+    pyramid.other.resize(static_cast<std::size_t>(target.width) + 2 * kPad);
+    pyramid.mask.assign(static_cast<std::size_t>(target.width) + kPad, 255);
+    for (int y = 0; y < target.height; ++y) {
+        const Pixel* row = between_rows(half, y, pyramid.row, set);
+        EVIL_PICK(set, double_row_wide)(pyramid.other.data(), row, target.width, 256);
+        screen_row(set, raster::row_of(target, y), pyramid.other.data(), pyramid.mask.data(), target.width);
+    }
 }
 
 void finish(const Target& target, const draw::Post& post, Pyramid& pyramid, Set set) {

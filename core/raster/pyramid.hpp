@@ -1,7 +1,8 @@
 #pragma once
 // Pictures that are spread out: halved again and again and then doubled, with a blend at each step ("dual filtering",
 // Bjorge 2015; the blend of each step as in Jimenez 2014). A wide blur costs hardly more than a narrow one.
-#include "draw/post.hpp"
+#include "draw/interludes.hpp"
+#include "raster/shafts.hpp"
 #include "raster/spans.hpp"
 #include <vector>
 
@@ -15,6 +16,8 @@ struct Pyramid { // scratch: the picture's halves, quarters, ...
     };
     std::vector<Level> levels;
     std::vector<Pixel> row, other; // of one level, on the way up
+    std::vector<std::int32_t> mask;
+    ShaftScratch shafts;
 };
 
 // How far down a blur of that many pixels goes, and how much of the lowest level there is in the one above it.
@@ -27,6 +30,7 @@ Depth depth_of(float radius);
 inline constexpr int kBloomLevels = 6;
 
 void blur(const Target& target, float radius, Pyramid& pyramid, Set set);
+void shine(const Target& target, const draw::Shafts& shafts, Pyramid& pyramid, Set set);
 void finish(const Target& target, const draw::Post& post, Pyramid& pyramid, Set set);
 
 } // namespace evil::raster

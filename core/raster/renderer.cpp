@@ -155,6 +155,8 @@ void do_interlude(const draw::Interludes& all, const draw::Interlude& one, const
         return draw_specks(all.specks, one, target, set);
     case draw::InterludeKind::blur:
         return blur(target, one.radius, scratch.pyramid, set);
+    case draw::InterludeKind::shafts:
+        return shine(target, all.shafts[one.first], scratch.pyramid, set);
     case draw::InterludeKind::post:
         return finish(target, all.post, scratch.pyramid, set);
     }

@@ -1771,7 +1771,7 @@ class Batcher:
 
     def collect(self, list: DrawList, width: int, height: int) -> list[tuple[Any, ...]]:
         """
-        A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus twice the number of their draw::Blend plus 8 if any has normals or glows. Or ('sprites', first, count, page of the atlas, COVER, is one lit, blend). Between them ('specks', first, count, are they discs, do they add), ('blur', levels, share), ('post',).
+        A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus twice the number of their draw::Blend plus 8 if any has normals or glows. Or ('sprites', first, count, page of the atlas, COVER, is one lit, blend). Between them ('specks', first, count, are they discs, do they add), ('blur', levels, share), ('shafts', from, taps of each pass, colour, threshold), ('post',).
         """
 
     @property
@@ -1849,6 +1849,47 @@ class Scene:
 
     def set_surface_of(self, texture: int, normals: int, glows: int) -> None:
         """What goes with a picture wherever it is shown."""
+
+    def set_layers(self, layers: Sequence[tuple[int, tuple[float, float, float, float, float, float], int, bool]], perspective: tuple[float, float, float] | None = None) -> None:
+        """
+        How layers are seen that are not seen as the world is: (layer, matrix, tint, visible), by layer. In perspective, the picture's middle and one over the distance of the eye in metres.
+        """
+
+    def fog(self, layer: int, top: int, bottom: int, width: float, height: float, lit: bool) -> None: ...
+
+    def shafts(self, layer: int, x: float, y: float, colour: int, strength: float, reach: float, threshold: float) -> None: ...
+
+    def blur(self, layer: int, radius: float) -> None: ...
+
+    def post(self, *, bloom: float, threshold: float, saturation: float, vignette: float, grain: float, seed: int, exposure: float, contrast: float, filmic: bool, tint: tuple[float, float, float]) -> None:
+        """What is done to all that the frame has so far."""
+
+    def collect(self, world: World, view: tuple[float, float, float, float, float, float], alpha: float, points: float) -> DrawList:
+        """
+        The frame at alpha (0..1) between the last two steps; good until the next one.
+        """
+
+    def aim(self, number: int) -> None:
+        """What follows fills the list of that number, from 0 on."""
+
+    def empty(self) -> DrawList:
+        """A frame without drawings, for what lies over several views."""
+
+    def debug(self, world: World, view: tuple[float, float, float, float, float, float], alpha: float, points: float, inks: Sequence[int], parts: Sequence[bool]) -> tuple[int, int, int, int, int]:
+        """
+        Put the debug view on top of the collected frame; the numbers of bodies, sleepers, contacts, joints, islands.
+        """
+
+    def arrow(self, x1: float, y1: float, x2: float, y2: float, width: float, colour: int) -> None: ...
+
+    def disc(self, x: float, y: float, radius: float, colour: int) -> None: ...
+
+    def box(self, left: float, top: float, right: float, bottom: float, colour: int) -> None: ...
+
+    def glyphs(self, boxes: bytes, x: float, y: float, texture: int, colour: int) -> None:
+        """
+        A row of textured boxes on top: eight float32 each, left top right bottom in pixels and in the texture.
+        """
 
     def __len__(self) -> int: ...
 
@@ -1933,6 +1974,14 @@ class Scene:
 
     def set_lit(self, slot: int, generation: int, value: bool) -> None: ...
 
+    def behind(self, slot: int, generation: int) -> float: ...
+
+    def set_behind(self, slot: int, generation: int, value: float) -> None: ...
+
+    def depth(self, slot: int, generation: int) -> float: ...
+
+    def set_depth(self, slot: int, generation: int, value: float) -> None: ...
+
     def matrix(self, slot: int, generation: int) -> tuple[float, float, float, float, float, float]: ...
 
     def set_matrix(self, slot: int, generation: int, value: tuple[float, float, float, float, float, float]) -> None: ...
@@ -1940,45 +1989,6 @@ class Scene:
     def texture_matrix(self, slot: int, generation: int) -> tuple[float, float, float, float, float, float]: ...
 
     def set_texture_matrix(self, slot: int, generation: int, value: tuple[float, float, float, float, float, float]) -> None: ...
-
-    def set_layers(self, layers: Sequence[tuple[int, tuple[float, float, float, float, float, float], int, bool]]) -> None:
-        """
-        How layers are seen that are not seen as the world is: (layer, matrix, tint, visible), by layer.
-        """
-
-    def fog(self, layer: int, top: int, bottom: int, width: float, height: float) -> None: ...
-
-    def blur(self, layer: int, radius: float) -> None: ...
-
-    def post(self, *, bloom: float, threshold: float, saturation: float, vignette: float, grain: float, seed: int, exposure: float, contrast: float, filmic: bool, tint: tuple[float, float, float]) -> None:
-        """What is done to all that the frame has so far."""
-
-    def collect(self, world: World, view: tuple[float, float, float, float, float, float], alpha: float, points: float) -> DrawList:
-        """
-        The frame at alpha (0..1) between the last two steps; good until the next one.
-        """
-
-    def aim(self, number: int) -> None:
-        """What follows fills the list of that number, from 0 on."""
-
-    def empty(self) -> DrawList:
-        """A frame without drawings, for what lies over several views."""
-
-    def debug(self, world: World, view: tuple[float, float, float, float, float, float], alpha: float, points: float, inks: Sequence[int], parts: Sequence[bool]) -> tuple[int, int, int, int, int]:
-        """
-        Put the debug view on top of the collected frame; the numbers of bodies, sleepers, contacts, joints, islands.
-        """
-
-    def arrow(self, x1: float, y1: float, x2: float, y2: float, width: float, colour: int) -> None: ...
-
-    def disc(self, x: float, y: float, radius: float, colour: int) -> None: ...
-
-    def box(self, left: float, top: float, right: float, bottom: float, colour: int) -> None: ...
-
-    def glyphs(self, boxes: bytes, x: float, y: float, texture: int, colour: int) -> None:
-        """
-        A row of textured boxes on top: eight float32 each, left top right bottom in pixels and in the texture.
-        """
 
 class Emitter:
     """Particles; evilengine.scene.particles is the face."""
@@ -1989,7 +1999,7 @@ class Emitter:
 
     def define(self, *, body: tuple[int, int] | None, at: tuple[float, float], direction: float, cone: float, rate: float, half: tuple[float, float], radius: float, life: tuple[float, float], speed: tuple[float, float], spin: tuple[float, float], varies: float, gravity_scale: float, drag: float, wind: tuple[float, float], collides: bool, dies: bool, bounce: float, friction: float, mask: int, most: int) -> None: ...
 
-    def show(self, *, size: Sequence[float], pace: Sequence[float], colour: Sequence[int], soft: bool, adds: bool, stretch: float, texture: int, layer: int) -> None: ...
+    def show(self, *, size: Sequence[float], pace: Sequence[float], colour: Sequence[int], soft: bool, adds: bool, lit: bool, stretch: float, texture: int, layer: int) -> None: ...
 
     @property
     def running(self) -> bool: ...

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import reduce
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
@@ -28,10 +29,13 @@ def carry_out(level: Level, command: commands.Picture, scope: Scope, game: Game)
             if "fog_above" in options:
                 options["fog"] = [options.get("fog", options["fog_above"]), options.pop("fog_above")]
             for name, value in options.items():
-                setattr(layer, name, value)
+                *way, last = name.split(".")
+                setattr(reduce(getattr, way, layer), last, value)
         case commands.SetLens():
             if options.pop("filmic", False):
                 options["tone_mapping"] = "filmic"
+            if options.pop("perspective", False):
+                game.layers.perspective = True
             for name, value in options.items():
                 setattr(game.post, name, value)
         case commands.AddParticles(name=name):

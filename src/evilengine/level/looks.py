@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from evilengine.level.level import Level
     from evilengine.level.rules import Scope
 
-LOOKS = frozenset({"colour", "texture", "frames", "fps", "tile", "layer", "lit", "hidden"})
+LOOKS = frozenset({"colour", "texture", "frames", "fps", "tile", "layer", "lit", "behind", "depth", "hidden"})
 """What a world alone has no use for."""
 
 

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from evilengine.world.shapes import ShapeDefinition
 
 DEEPEST_LAYER = 1_000_000
+FARTHEST_BEHIND = 10_000.0  # metres (kDeepest in core/draw/depth.hpp)
 OUTLINE = 1.5  # logical points
 OUTLINE_SHADE = 0.4  # how much of the night is in an outline's colour
 
@@ -81,6 +82,24 @@ class Drawing(Animated, Surfaced):
         core, (slot, generation) = self._scene._core, self._at()
         core.set_edge(slot, generation, edge_of(self.colour).rgba8)
         core.set_edge_width(slot, generation, OUTLINE if value else 0.0)
+
+    @property
+    def behind(self) -> float:
+        """Metres that it is behind the plane of its layer, or before it (less than 0), where that is in perspective."""
+        return self._scene._core.behind(*self._at())
+
+    @behind.setter
+    def behind(self, value: float) -> None:
+        self._scene._core.set_behind(*self._at(), to_depth(value, 0.0, "Drawing")[0])
+
+    @property
+    def depth(self) -> float:
+        """Metres that it reaches back in perspective: its sides are seen. 0 is flat, as a picture."""
+        return self._scene._core.depth(*self._at())
+
+    @depth.setter
+    def depth(self, value: float) -> None:
+        self._scene._core.set_depth(*self._at(), to_depth(0.0, value, "Drawing")[1])
 
     @property
     def texture(self) -> str | Sheet | None:
@@ -216,6 +235,14 @@ def to_mat4(m: Matrix6) -> Mat4:
 
     a, b, c, d, x, y = m
     return Mat4((a, b, 0.0, 0.0, c, d, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, x, y, 0.0, 1.0))
+
+
+def to_depth(behind: object, depth: object, owner: str) -> tuple[float, float]:
+    """How far behind its layer's plane a thing is, and how far it reaches back; metres."""
+    return (
+        number(behind, owner, "behind", least=-FARTHEST_BEHIND, most=FARTHEST_BEHIND),
+        number(depth, owner, "depth", least=0.0, most=FARTHEST_BEHIND),
+    )
 
 
 def to_layer(value: object, owner: str) -> int:

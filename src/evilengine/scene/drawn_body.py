@@ -16,8 +16,20 @@ if TYPE_CHECKING:
 
 LOOKS = frozenset(
     (
-        *("animation", "blend", "colour", "colours", "flip_x", "flip_y", "glow", "glow_map", "layer", "lit"),
-        *("normal_map", "outline", "texture", "texture_matrix", "texture_points", "tile", "visible"),
+        *(
+            "animation",
+            "behind",
+            "blend",
+            "colour",
+            "colours",
+            "depth",
+            "flip_x",
+            "flip_y",
+            "glow",
+            "glow_map",
+            "layer",
+        ),
+        *("lit", "normal_map", "outline", "texture", "texture_matrix", "texture_points", "tile", "visible"),
     )
 )
 """The words of `scene.add` that say how a thing looks; its others say where it is."""

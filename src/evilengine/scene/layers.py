@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from evilengine.scene.camera import Matrix6
 from evilengine.scene.drawing import to_layer
+from evilengine.scene.shafts import Shafts
 from evilengine.values.checks import number
 from evilengine.values.colour import WHITE, Colour, ColourLike, to_colour
 from evilengine.values.errors import ArgumentError
@@ -19,6 +20,7 @@ Row = tuple[int, Matrix6, int, bool]
 """A layer as the core sees it: number, matrix, tint, visible."""
 
 NEAREST, WIDEST = 100.0, 500.0  # parallax; logical points of blur
+DISTANCE = 12.0  # metres from the eye to the world in perspective: some four times as far as things are high
 
 
 class Layer:
@@ -36,7 +38,7 @@ class Layer:
     <Layer -2: parallax 0.4, tint #000000, fog #8fa3b840>
     """
 
-    __slots__ = ("_blur", "_fog", "_number", "_parallax", "_tint", "visible")
+    __slots__ = ("_blur", "_fog", "_number", "_parallax", "_tint", "fog_lit", "shafts", "visible")
 
     def __init__(self, number: int) -> None:
         self._number = number
@@ -44,6 +46,10 @@ class Layer:
         self._tint = WHITE
         self._fog: tuple[Colour, ...] = ()
         self._blur = 0.0
+        self.shafts = Shafts()
+        """Light that shines on through what is before it: `game.layers[-2].shafts.at = (5, 6)`; see Shafts."""
+        self.fog_lit = False
+        """Do lights fall on its fog? What stands in their way throws its shadow through it then."""
         self.visible = True
         """Is it seen at all?"""
 
@@ -99,6 +105,7 @@ class Layer:
             f"tint {self._tint.hex}" if self._tint != WHITE else "",
             f"fog {fog}" if fog else "",
             f"blur {self._blur:g}" if self._blur else "",
+            f"shafts from {tuple(self.shafts.at)}" if self.shafts.at is not None else "",
             "" if self.visible else "not visible",
         ]
         return f"<Layer {self._number}: {', '.join(part for part in parts if part) or 'as the world'}>"
@@ -109,6 +116,7 @@ class Layers:
 
     def __init__(self) -> None:
         self._by_number: dict[int, Layer] = {}
+        self._distance = DISTANCE
         self.perspective = False
         """Are layers smaller the farther off they are, as `parallax` says, and zooming in a walk towards them?"""
 
@@ -126,9 +134,18 @@ class Layers:
     def __len__(self) -> int:
         return len(self._by_number)
 
+    @property
+    def distance(self) -> float:
+        """Metres from the eye to the world in perspective, at zoom 1: what is so far behind it is half as large."""
+        return self._distance
+
+    @distance.setter
+    def distance(self, value: float) -> None:
+        self._distance = number(value, "Layers", "distance", least=0.1, most=1e6)
+
     def clear(self) -> None:
         """Let every layer be seen as the world is."""
-        self._by_number, self.perspective = {}, False
+        self._by_number, self.perspective, self._distance = {}, False, DISTANCE
 
     # What the scene does with them -------------------------------------------------------------------------------
 
@@ -163,45 +180,56 @@ class Layers:
         place = (a * x + c * y + tx, b * x + d * y + ty)
         return (a * size, b * size, c * size, d * size, *place) if layer.visible else None
 
-    def cover(self, core: _core.Scene, layer: Layer, screen: tuple[int, int], scale: float) -> None:
-        """Put its fog over what the frame has of it, and take it out of focus."""
+    def depth(self, screen: tuple[int, int], zoom: float) -> tuple[float, float, float] | None:
+        """Where in the picture all goes that is far off, and one over how far the eye is from the world; None: flat."""
+        return (screen[0] / 2, screen[1] / 2, zoom / self._distance) if self.perspective else None
+
+    def cover(
+        self, core: _core.Scene, layer: Layer, seen: Matrix6 | None, screen: tuple[int, int], scale: float
+    ) -> None:
+        """Put its fog over what the frame has of it, and take it out of focus; `seen`: how its things are seen."""
         if layer._blur:
             core.blur(layer.number, layer._blur * scale)
+        if seen is not None:
+            layer.shafts._put(core, layer.number, seen)
         if layer._fog:
-            core.fog(layer.number, layer._fog[-1].rgba8, layer._fog[0].rgba8, *screen)
+            core.fog(layer.number, layer._fog[-1].rgba8, layer._fog[0].rgba8, *screen, layer.fog_lit)
 
     # Saving ------------------------------------------------------------------------------------------------------
 
     def state(self) -> dict[str, Any]:
         """What a saved game keeps of them."""
         rows = [
-            [each.number, each.parallax, list(each.tint), [list(fog) for fog in each._fog], each.blur, each.visible]
+            [
+                each.number, each.parallax, list(each.tint), [list(fog) for fog in each._fog], each.blur, each.visible,
+                each.fog_lit, each.shafts.state(),
+            ]
             for each in self
-        ]
-        return {"rows": rows, "perspective": self.perspective}
+        ]  # fmt: skip
+        return {"rows": rows, "perspective": self.perspective, "distance": self._distance}
 
     def read(self, state: dict[str, Any]) -> Layers:
         """Layers as `state` gave them. Raises what is wrong."""
         read = Layers()
-        read.perspective = bool(state["perspective"])
-        for which, parallax, tint, fog, blur, visible in state["rows"]:
+        read.perspective, read.distance = bool(state["perspective"]), state["distance"]
+        for which, parallax, tint, fog, blur, visible, fog_lit, shafts in state["rows"]:
             layer = read[which]
             layer.parallax, layer.tint, layer.blur = parallax, Colour(*tint), blur
             layer.fog = [Colour(*each) for each in fog]
-            layer.visible = bool(visible)
+            layer.visible, layer.fog_lit, layer.shafts = bool(visible), bool(fog_lit), Shafts.read(shafts)
         return read
 
     def become(self, read: Layers) -> None:
         """Take over what was read; layers that are known stay themselves."""
-        self.perspective = read.perspective
+        self.perspective, self._distance = read.perspective, read._distance
         for layer in self:
             if layer.number not in read._by_number:
                 read[layer.number]
         for layer in read:
             mine = self[layer.number]
-            mine._parallax, mine._tint, mine._fog, mine._blur, mine.visible = (
-                layer._parallax, layer._tint, layer._fog, layer._blur, layer.visible,
-            )  # fmt: skip
+            for name in Layer.__slots__:
+                if name != "_number":
+                    setattr(mine, name, getattr(layer, name))
 
 
 def seen_middle(view: Matrix6, screen: tuple[int, int]) -> Vec2:

@@ -189,6 +189,7 @@ class Emitter:
     mask = Setting(_whole("mask", 0, 0xFFFFFFFF), 0xFFFFFFFF, "Categories of the shapes that they touch, as bits.")
     most = Setting(_whole("most", 1, MOST), 10_000, "How many may be alive; who comes later is not born.")
     soft = Setting(_switch("soft"), True, "Do they fade towards their rim? Otherwise they are discs.")
+    lit = Setting(_switch("lit"), False, "Do they take the light of where they are?")
     blend = Setting(_blend, "over", "'over' covers what is behind; 'add' adds light to it, for fire and glow.")
     stretch = Setting(
         _number("stretch", least=0.0, most=10.0), 0.0, "Seconds of its way that each is drawn long, as sparks and rain."
@@ -300,7 +301,8 @@ class Emitter:
         )  # fmt: skip
         self._core.show(
             size=_sampled(v["size"]), pace=_sampled(v["pace"]), colour=_sampled_colours(v["colour"]),
-            soft=v["soft"], adds=v["blend"] == "add", stretch=v["stretch"], texture=texture, layer=v["layer"],
+            soft=v["soft"], adds=v["blend"] == "add", lit=v["lit"], stretch=v["stretch"], texture=texture,
+            layer=v["layer"],
         )  # fmt: skip
         self._values = v
 

@@ -10,7 +10,7 @@ from evilengine.scene import graph
 from evilengine.scene.animated import BLENDS
 from evilengine.scene.camera import Camera, Matrix6
 from evilengine.scene.debug import DebugView
-from evilengine.scene.drawing import Drawing, placement, to_layer, to_matrix6
+from evilengine.scene.drawing import Drawing, placement, to_depth, to_layer, to_matrix6
 from evilengine.scene.drawn_body import DrawnBody, show
 from evilengine.scene.layers import Layer, Layers, seen_middle
 from evilengine.scene.lights import Lights
@@ -132,6 +132,8 @@ class Scene(Shown):
         normal_map: str | None = None,
         glow_map: str | None = None,
         glow: float | None = None,
+        behind: float = 0.0,
+        depth: float = 0.0,
     ) -> Drawing:
         """Draw `shape` from now on: on `body`, or on a body's Shape itself, or by itself in the world.
 
@@ -142,7 +144,8 @@ class Scene(Shown):
         `flip_x` and `flip_y` mirror it. `blend` is "normal", "add" (shines), "multiply" (shades) or "screen". `outline`
         is a thin darker line round it. What is given neither colour nor texture takes a colour of the palette and, if
         it can move, an outline. On what is `lit`, `normal_map` shows bumps; `glow_map` and `glow` say what shines by
-        itself (see Drawing). Higher layers lie over lower ones; within one, what was made later is on top.
+        itself (see Drawing). Higher layers lie over lower ones; within one, what was made later is on top. In
+        perspective it is `behind` the plane of its layer, in metres, and reaches so many back (`depth`).
 
         Raises ArgumentError, ArgumentTypeError or AssetError, and draws nothing then.
         """
@@ -163,6 +166,7 @@ class Scene(Shown):
             )
         mixed = BLENDS.index(one_of(blend, owner, "blend", BLENDS))
         layer = to_layer(layer, owner)
+        behind, depth = to_depth(behind, depth, owner)
 
         core = self._core
         handle = self._add_mesh(shape, body, texture_points, corner_colours)
@@ -177,6 +181,8 @@ class Scene(Shown):
         core.set_lit(*handle, bool(lit))
         core.set_surface(*handle, *surface)
         core.set_glow(*handle, shine)
+        core.set_behind(*handle, behind)
+        core.set_depth(*handle, depth)
         if tiles is not None:
             width, height = core.extent(*handle)
             image_place = (width / tiles[0], 0.0, 0.0, height / tiles[1], 0.0, 0.0)
@@ -301,7 +307,7 @@ class Scene(Shown):
         self._core.aim(into)
         view = camera.matrix(screen, scale, alpha)
         eye = seen_middle(view, screen)
-        self._core.set_layers(self.layers.rows(eye, camera.zoom))
+        self._core.set_layers(self.layers.rows(eye, camera.zoom), self.layers.depth(screen, camera.zoom))
         content = self._core.collect(self.world._core, view, alpha, scale)
         self._collect_layers(view, eye, camera.zoom, alpha, screen, scale)
         self.lights._collect(self._core, view, alpha, screen, scale)
@@ -337,9 +343,10 @@ class Scene(Shown):
         over: list[tuple[int, bool, Emitter | Layer]] = [(each.layer, False, each) for each in self._emitters]
         over += [(each.number, True, each) for each in self.layers]
         for which, _, each in sorted(over, key=lambda row: row[:2]):
+            seen = self.layers.view(which, view, eye, zoom)
             if isinstance(each, Layer):
-                self.layers.cover(self._core, each, screen, scale)
-            elif (seen := self.layers.view(which, view, eye, zoom)) is not None:
+                self.layers.cover(self._core, each, seen, screen, scale)
+            elif seen is not None:
                 each._collect(seen, alpha, screen)
 
     def _take_restored(self, body: DrawnBody) -> list[Drawing]:

@@ -35,6 +35,8 @@ class PythonPictures(PythonMeetings):
             case commands.SetLens():
                 if said.pop("filmic", ""):
                     said["tone_mapping"] = _Code(quoted("filmic"))
+                if said.pop("perspective", ""):
+                    self._line("game.layers.perspective = True")
                 for name, value in said.items():
                     self._line(f"game.post.{name} = {value}")
             case commands.AddLight(name=name):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from evilengine.renderer.gl.device import GraphicsDevice, Program, Target, Texture
 from evilengine.renderer.gl.programs import Programs
 
@@ -27,6 +29,32 @@ class Filters:
         """The picture out of focus, on `spare`."""
         steps = self._descend(picture, levels)
         return self._ascend(picture, spare, steps, [share if at == levels else 1.0 for at in range(1, steps + 1)])
+
+    def shafts(
+        self,
+        picture: Target,
+        spare: Target,
+        origin: tuple[float, float],
+        passes: Sequence[tuple[tuple[float, ...], tuple[float, ...]]],
+        colour: tuple[float, float, float],
+        threshold: float,
+    ) -> Target:
+        """The picture with shafts of light that go away from a point of it, on `spare`."""
+        self._make_levels(picture, 2)
+        (half, one), (mixed, other) = self._levels[:2], self._mixed[:2]
+        self._halve(picture, half)
+        self._halve(half, one)
+        self._shaft(other, one, 0, threshold=(threshold,))
+        for at, weight in passes:
+            one, other = other, one
+            self._shaft(other, one, 1, origin=(0.25 * origin[0], 0.25 * origin[1]), at=at, weight=weight)
+        self._shaft(one, other, 2, colour=colour)
+        self._double(half, one, mixed, 1.0)
+        return self._double(picture, mixed, spare, how=2)
+
+    def _shaft(self, to: Target, picture: Target, stage: int, **uniforms: tuple[float, ...]) -> None:
+        program = self._program("shaft.frag", STAGE=stage, TAPS=len(uniforms.get("at", ())))
+        self._device.fill(to, program, textures=[("picture", picture.texture)], uniforms=uniforms)
 
     def finish(self, picture: Target, spare: Target, post: dict[str, float], tones: bytes) -> Target:
         """The picture after the post pass, on `spare`."""
@@ -92,11 +120,13 @@ class Filters:
     def _halve(self, above: Target, to: Target) -> None:
         self._device.fill(to, self._program("halve.frag", BRIGHT=0), textures=[("picture", above.texture)], uniforms={})
 
-    def _double(self, above: Target, below: Target, to: Target, share: float | None = None) -> Target:
-        """The smaller one takes the place of a share of the larger; None: its light is added."""
+    def _double(
+        self, above: Target, below: Target, to: Target, share: float | None = None, *, how: int | None = None
+    ) -> Target:
+        """The smaller one takes the place of a share of the larger; None: its light is added, or `how` says."""
         self._device.fill(
             to,
-            self._program("double.frag", ADDS=int(share is None)),
+            self._program("double.frag", ADDS=int(share is None) if how is None else how),
             textures=[("above", above.texture), ("below", below.texture)],
             uniforms={"share": (share or 0.0,)},
         )

@@ -98,8 +98,8 @@ class Pipeline:
         self.target: Target | None = None
         self._batcher: _core.Batcher = _core.Batcher() if of is None else of._batcher.another()
         self._pictures: dict[int, Texture] = {} if of is None else of._pictures
-        self.programs = Programs(device) if of is None else of.programs
-        self._atlas = Atlas(device, self._batcher) if of is None else of._atlas
+        self.programs: Programs = Programs(device) if of is None else of.programs
+        self._atlas: Atlas = Atlas(device, self._batcher) if of is None else of._atlas
         self._is_part = of is not None
         self._insets: list[Pipeline] = []
         self._quads = device.buffer()
@@ -243,6 +243,8 @@ class Pipeline:
             self._spare = self.device.target(target.size)
         if kind == "blur":
             done = self._filters.blur(target, self._spare, *what)
+        elif kind == "shafts":
+            done = self._filters.shafts(target, self._spare, *what)
         else:
             done = self._filters.finish(target, self._spare, self._batcher.post, self._batcher.tones)
         self.target, self._spare = done, target

@@ -1,5 +1,5 @@
 #version 300 es
-// A picture gives way to a smaller one, doubled, or takes up its light: of each pixel's two neighbours each way, three parts of the nearer.
+// A picture gives way to a smaller one, doubled, or takes up its light (2: so that it never burns out): of each pixel's two neighbours each way, three parts of the nearer.
 precision highp float;
 precision highp sampler2D;
 
@@ -21,6 +21,9 @@ void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
 #if ADDS == 1
     result = texelFetch(above, at, 0) + doubled(at);
+#elif ADDS == 2
+    vec4 under = texelFetch(above, at, 0);
+    result = under + doubled(at) * (1.0 - under);
 #else
     result = mix(texelFetch(above, at, 0), doubled(at), share);
 #endif
