@@ -75,7 +75,7 @@ def forged(data, rng):
     return SAVED_GAME.write(sections | {"game": json.dumps(state).encode()})
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", [0, 1, 2, 3, 9, 31, 58])
 def test_a_forged_save_is_refused_or_plays_but_never_breaks_the_game(rich, seed):
     rng = random.Random(seed)
     game = level_game(rich)

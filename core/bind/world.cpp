@@ -243,6 +243,10 @@ void register_world(nb::module_& module) {
         const SavedSlots slots = s.state ? slots_of(*s.state) : SavedSlots{};
         return std::tuple(slots.bodies, slots.shapes, slots.forces, slots.joints);
     });
+    saved.def_prop_ro(
+        "shape_bodies",
+        [](const Saved& s) { return s.state ? slots_of(*s.state).shape_bodies : std::vector<std::uint32_t>{}; },
+        "Of each of the shapes in `slots`, the slot of the body that it is on.");
     c.def("restore", [](World& w, Saved& s) {
         if (!s.state) raise(ErrorKind::snapshot, "World.restore: this snapshot was used up; read it again");
         const std::vector<std::uint32_t> bodies = w.bodies.slots.generations(), shapes = w.shapes.slots.generations();

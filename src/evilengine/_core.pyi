@@ -519,6 +519,10 @@ class Saved:
     @property
     def slots(self) -> tuple[list[int], list[int], list[int], list[int]]: ...
 
+    @property
+    def shape_bodies(self) -> list[int]:
+        """Of each of the shapes in `slots`, the slot of the body that it is on."""
+
 class Body:
     """Reference to a body of a world."""
 

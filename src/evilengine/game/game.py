@@ -209,7 +209,7 @@ class Game(Life, GameScreen, Controls, Things):
             self.on_update.run(STEP)
             if self.tilt:
                 self._turn_gravity(self._inputs.tilt.direction)
-            self.world.step(STEP)
+            self.world.step(STEP, self.substeps)
             self.scene.step()
             self.views.step()
         finally:

@@ -92,7 +92,7 @@ def to_bytes(game: Game, origin: str = "") -> bytes:
     tilted = None if game._tilted is None else [list(each) for each in game._tilted]
     about = {"title": game.title, "engine": VERSION, "origin": origin}
     rest: dict[str, Any] = {
-        "life": {**scenes.state_of(game), "speed": game.speed},
+        "life": {**scenes.state_of(game), "speed": game.speed, "substeps": game.substeps},
         "tilt": game.tilt,
         "paused": game.paused,
         "tilted": tilted,
@@ -149,9 +149,11 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
     bodies, shapes, forces, joints = (set(slots) for slots in world.slots)
     scene = looks.SceneState(game.scene, sections["drawings"], state["scene"])
     emitters = looks.read_emitters(game.scene, state.get("emitters", []), sections.get("particles", b""), bodies)
-    none = _core.NO_SLOT
-    bodies_and_none, shapes_and_none = bodies | {none}, shapes | {none}
-    if not all(body in bodies_and_none and shape in shapes_and_none for _, body, shape in scene.places):
+    none, body_of = _core.NO_SLOT, dict(zip(world.slots[1], world.shape_bodies, strict=True))
+    bodies_and_none = bodies | {none}
+    if not all(
+        body in bodies_and_none and (shape == none or body_of.get(shape) == body) for _, body, shape in scene.places
+    ):
         raise ValueError("drawings on what is not there")
     if not bodies_and_none.issuperset(scene.lit_by):
         raise ValueError("lights on what is not there")
@@ -199,7 +201,9 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
         direction, gravity = (to_vec2(each, "game", "tilted") for each in state["tilted"])
         tilted = (direction, gravity)
     tilt, paused, strength = bool(state["tilt"]), bool(state["paused"]), float(state["strength"])
-    speed = checks.number(state.get("life", {}).get("speed", 1.0), "game", "speed", least=SLOWEST, most=FASTEST)
+    life = state.get("life", {})
+    speed = checks.number(life.get("speed", 1.0), "game", "speed", least=SLOWEST, most=FASTEST)
+    substeps = checks.parts(life.get("substeps", 4), "game")
 
     def put() -> None:
         worlds.become(game.world, world)
@@ -238,7 +242,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
         game.random.setstate(dice)
         game._inputs, game._alpha = inputs, 1.0
         game.tilt, game.paused, game._tilted, game._strength = tilt, paused, tilted, strength
-        game.speed = speed
+        game.speed, game.substeps = speed, substeps
         scenes.put_level(game)
 
     return put

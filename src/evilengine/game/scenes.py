@@ -56,6 +56,7 @@ class Settings:
 
     gravity: Vec2
     sleep: bool
+    substeps: int
     tilt: bool
     background: Colour
     views: tuple[Note, ...]
@@ -204,7 +205,7 @@ def settings_of(game: Game) -> Settings:
     if game.scenes._settings is None:
         world = game.world
         game.scenes._settings = Settings(
-            world.gravity, world.sleep, game.tilt, game.scene.background,
+            world.gravity, world.sleep, game.substeps, game.tilt, game.scene.background,
             game.views.notes(),
             (game.scene.layers.state(), game.scene.post.state()),
         )  # fmt: skip
@@ -238,6 +239,7 @@ def clear(game: Game, to: Visit | None) -> None:
     game.timer.clear()
     own = settings_of(game)
     game.world.gravity, game.world.sleep, game.scene.background = own.gravity, own.sleep, own.background
+    game.substeps = own.substeps
     game.views.become(own.views)
     layers, post = own.air
     game.scene.layers.become(game.scene.layers.read(layers))

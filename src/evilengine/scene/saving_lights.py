@@ -62,6 +62,8 @@ class SavedLights:
         self._read.depth = state["depth"]
         self._read.bounce = state.get("bounce", self._read.bounce)  # saves of 0.1 and before have none
         self._next = int(state["next"])
+        if not 0 <= self._next < 1 << 63:
+            raise ValueError("how many lights there have been")
         for row in state["rows"]:
             self._read_row(row)
         if self.slots != sorted(set(self.slots)) or not all(0 <= slot < MOST_LIGHTS for slot in self.slots):
