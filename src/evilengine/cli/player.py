@@ -216,7 +216,7 @@ class Player:
 
     def _look_at_the_files(self) -> None:
         assert self.game is not None
-        for line in self.game.reload_images():
+        for line in (*self.game.reload_images(), *self.game.renderer.reload_shaders()):
             print(line, file=sys.stderr)
         stamp = stamp_of(self.path)
         if self.is_level and stamp is not None and stamp != self._stamp:  # an editor may take it away for a moment

@@ -35,6 +35,9 @@ class Renderer(Protocol):
     def release(self, texture: int) -> None:
         """Forget a texture; what still names it is drawn without one. Raises ArgumentError for an unknown id."""
 
+    def reload_shaders(self) -> list[str]:
+        """Draw with the shaders as their files are now. One that cannot be used stays as it was; the lines say why."""
+
     def draw(self, frame: DrawList) -> None:
         """Draw a whole frame; the target takes the frame's size."""
 

@@ -72,6 +72,10 @@ class SteadyRenderer:
         self._images[texture - 1] = _NOTHING
         self._released.add(texture)
 
+    def reload_shaders(self) -> list[str]:
+        """Draw with the shaders as their files are now."""
+        return self._try(lambda backend: backend.reload_shaders())
+
     def draw(self, frame: DrawList) -> None:
         """Draw a whole frame."""
         self._frame = None

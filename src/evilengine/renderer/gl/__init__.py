@@ -84,6 +84,11 @@ class GlRenderer:
         if texture not in self._held:
             raise ArgumentError(f"{owner}: texture={texture} is not one that upload() gave and that is still held")
 
+    def reload_shaders(self) -> list[str]:
+        """Draw with the shaders as their files are now; lines say which could not be used, where and why."""
+        with self.device:
+            return self._pipeline.programs.reload()
+
     def draw(self, frame: DrawList) -> None:
         """Draw a whole frame. Views of an earlier one keep their picture."""
         width, height = frame.size

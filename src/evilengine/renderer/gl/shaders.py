@@ -1,6 +1,7 @@
 """Shaders: read from their files, and errors of theirs told with file, line and the driver's words.
 
-A line `#include "area.glsl"` stands for the text of the file of that name beside it.
+A line `#include "area.glsl"` stands for the text of the file of that name beside it. It stands outside of `#if`: where
+that leaves lines out, the numbers of those after it would be lost.
 """
 
 from __future__ import annotations

@@ -31,10 +31,7 @@ out vec4 result;
 const uint ADDS = 32u, LIT = 128u;
 
 #include "light.glsl"
-
-#if COVER >= 2
 #include "area.glsl"
-#endif
 
 #if COVER >= 1
 // By the depth below two sides; by all four edges where a corner is so near that both take a part of the pixel.

@@ -50,6 +50,10 @@ class SoftRenderer:
         """Forget a texture."""
         self._raster.release(texture)
 
+    def reload_shaders(self) -> list[str]:
+        """There are none."""
+        return []
+
     def draw(self, frame: DrawList) -> None:
         """Draw a whole frame. A frame of another size gets new pixels; views of the old ones keep the last picture."""
         if frame.size != self._size:
