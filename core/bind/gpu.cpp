@@ -94,7 +94,8 @@ public:
         if (texture >= places.size()) places.resize(texture + 1);
         gpu::Place& place = places[texture] = {page, {}};
         for (const auto& [left, top, width, height, from, first, to, last, clear_corners] : copies)
-            place.copies.push_back({left, top, width, height, {from, first, to, last}, clear_corners != 0.0f});
+            place.copies.push_back(
+                gpu::make_spot(left, top, width, height, {from, first, to, last}, clear_corners != 0.0f));
     }
 
     nb::list collect(const draw::DrawList& list, int width, int height) {

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <optional>
 #include <tuple>
 
 namespace evil::draw {
@@ -28,56 +27,17 @@ void drop(Scene& scene, std::uint32_t slot) {
     scene.drawings[slot] = Drawing{};
 }
 
-// Mesh to world at `alpha`: drawing to shape, shape to body, body to world.
-Affine placed(const Drawing& drawing, const Poses& poses, const Shapes& shapes, float alpha) {
-    const std::uint32_t body = drawing.body.slot;
-    if (body == kNone) return drawing.local;
-    const Vec2 scale = poses.scale[body];
-    Affine to_body{scale.x, 0, 0, scale.y, 0, 0};
-    if (drawing.shape.slot != kNone) to_body = definition_to_body(shapes.rows[drawing.shape.slot], scale);
-    return compose(affine(between(poses.previous[body], poses.present[body], alpha)), compose(to_body, drawing.local));
+void drop_what_is_gone(Scene& scene, const Poses& poses, const Shapes& shapes) {
+    std::erase_if(scene.order, [&](DrawingRef ref) {
+        if (!scene.slots.alive(ref)) return true;
+        if (is_there(scene.drawings[ref.slot], poses, shapes)) return false;
+        drop(scene, ref.slot);
+        return true;
+    });
 }
 
-// How a drawing is seen from the front; nothing for what is too far away for a float: none of it would be on the picture.
-std::optional<Instance> face_of(const Scene& scene, const Drawing& drawing, const Poses& poses, const Shapes& shapes,
-                                const LayerCursor& layer, float alpha, double now) {
-    Affine to_pixel = compose(layer.view, placed(drawing, poses, shapes, alpha));
-    if (scene.perspective.on && drawing.behind != 0.0f)
-        to_pixel = farther(to_pixel, scene.perspective, layer.size, drawing.behind);
-    if (!is_finite(to_pixel)) return std::nullopt;
-    const std::uint32_t shown = shown_texture(scene, drawing, now);
-    const Surface surface = surface_of(scene, drawing, shown);
-    return Instance{to_pixel,
-                    texture_place(drawing),
-                    drawing.mesh,
-                    shown,
-                    multiplied(drawing.tint, layer.tint),
-                    0.0f,
-                    drawing.blend,
-                    drawing.lit,
-                    drawing.lit ? surface.normals : kNoTexture,
-                    surface.glows,
-                    glow_of(drawing, surface)};
-}
-
-// The sides of all things of the layer that begins at `first` of the order, behind the faces of all of them.
-void add_sides(Scene& scene, std::size_t first, const Poses& poses, const Shapes& shapes, const LayerCursor& layer,
-               float alpha, double now, DrawList& out) {
-    scene.slices.clear();
-    for (std::size_t i = first; i < scene.order.size(); ++i) {
-        const Drawing& drawing = scene.drawings[scene.order[i].slot];
-        if (drawing.layer != scene.drawings[scene.order[first].slot].layer) break;
-        if (!drawing.visible || !(drawing.depth > 0.0f)) continue;
-        if (const std::optional<Instance> face = face_of(scene, drawing, poses, shapes, layer, alpha, now))
-            add_slices(scene.slices, out, *face, scene.perspective, layer.size, drawing.behind, drawing.depth);
-    }
-    std::ranges::stable_sort(scene.slices, std::ranges::greater{}, &Slice::behind);
-    for (const Slice& slice : scene.slices) out.instances.push_back(slice.instance);
-}
-
-} // namespace
-
-Pose between(const Pose& a, const Pose& b, float part) {
+// A frame does this for each thing: as a part of its loop, not as a call.
+inline Pose mixed(const Pose& a, const Pose& b, float part) {
     const float cosine = a.q.c * b.q.c + a.q.s * b.q.s, sine = a.q.c * b.q.s - a.q.s * b.q.c;
     Rot q;
     if (cosine > 0.9f) { // nearly the same way: the chord is the arc, to 1%
@@ -89,6 +49,54 @@ Pose between(const Pose& a, const Pose& b, float part) {
     }
     return {lerp(a.p, b.p, part), q};
 }
+
+// Mesh to world at `alpha`: drawing to shape, shape to body, body to world.
+Affine placed(const Drawing& drawing, const Poses& poses, const Shapes& shapes, float alpha) {
+    const std::uint32_t body = drawing.body.slot;
+    if (body == kNone) return drawing.local;
+    const Vec2 scale = poses.scale[body];
+    Affine to_body{scale.x, 0, 0, scale.y, 0, 0};
+    if (drawing.shape.slot != kNone) to_body = definition_to_body(shapes.rows[drawing.shape.slot], scale);
+    return compose(affine(mixed(poses.previous[body], poses.present[body], alpha)), compose(to_body, drawing.local));
+}
+
+// How a drawing is seen from the front, written where it lies. False for what is too far away for a float: none of it would
+// be on the picture.
+bool face_of(Instance& face, const Scene& scene, const Drawing& drawing, const Poses& poses, const Shapes& shapes,
+             const LayerCursor& layer, float alpha, double now) {
+    face.to_pixel = compose(layer.view, placed(drawing, poses, shapes, alpha));
+    if (scene.perspective.on && drawing.behind != 0.0f)
+        face.to_pixel = farther(face.to_pixel, scene.perspective, layer.size, drawing.behind);
+    if (!is_finite(face.to_pixel)) return false;
+    face.to_texture = texture_place(drawing);
+    face.mesh = drawing.mesh;
+    face.texture = shown_texture(scene, drawing, now);
+    face.tint = multiplied(drawing.tint, layer.tint);
+    face.blend = drawing.blend, face.lit = drawing.lit;
+    const Surface surface = surface_of(scene, drawing, face.texture);
+    if (drawing.lit) face.normals = surface.normals;
+    face.glows = surface.glows, face.glow = glow_of(drawing, surface);
+    return true;
+}
+
+// The sides of all things of the layer that begins at `first` of the order, behind the faces of all of them.
+void add_sides(Scene& scene, std::size_t first, const Poses& poses, const Shapes& shapes, const LayerCursor& layer,
+               float alpha, double now, DrawList& out) {
+    scene.slices.clear();
+    for (std::size_t i = first; i < scene.order.size(); ++i) {
+        const Drawing& drawing = scene.drawings[scene.order[i].slot];
+        if (drawing.layer != scene.drawings[scene.order[first].slot].layer) break;
+        if (!drawing.visible || !(drawing.depth > 0.0f)) continue;
+        if (Instance face; face_of(face, scene, drawing, poses, shapes, layer, alpha, now))
+            add_slices(scene.slices, out, face, scene.perspective, layer.size, drawing.behind, drawing.depth);
+    }
+    std::ranges::stable_sort(scene.slices, std::ranges::greater{}, &Slice::behind);
+    for (const Slice& slice : scene.slices) out.instances.push_back(slice.instance);
+}
+
+} // namespace
+
+Pose between(const Pose& a, const Pose& b, float part) { return mixed(a, b, part); }
 
 DrawingRef add(Scene& scene, const Drawing& drawing) {
     const std::uint32_t slot = scene.slots.take();
@@ -139,12 +147,7 @@ float glow_of(const Drawing& drawing, const Surface& surface) {
 
 void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affine& view, float alpha, double now,
              float points, DrawList& out) {
-    std::erase_if(scene.order, [&](DrawingRef ref) {
-        if (!scene.slots.alive(ref)) return true;
-        if (is_there(scene.drawings[ref.slot], poses, shapes)) return false;
-        drop(scene, ref.slot);
-        return true;
-    });
+    if (!scene.sorted || scene.perspective.on) drop_what_is_gone(scene, poses, shapes);
     if (!scene.sorted)
         std::ranges::sort(scene.order, {}, [&](DrawingRef ref) { return depth(scene.drawings[ref.slot]); });
     scene.sorted = true;
@@ -166,18 +169,30 @@ void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affin
     out.light.on = out.light.directed = false;
 
     LayerCursor layer{scene.looks, view};
+    bool all_there = true; // seen in passing: another walk over all drawings would cost as much as this one
     for (std::size_t i = 0; i < scene.order.size(); ++i) {
-        const Drawing& drawing = scene.drawings[scene.order[i].slot];
-        if (!drawing.visible || !layer.go_to(drawing.layer)) continue;
-        const std::optional<Instance> face = face_of(scene, drawing, poses, shapes, layer, alpha, now);
-        if (!face) continue;
-        if (out.layers.empty() || out.layers.back().layer != drawing.layer) {
-            out.layers.push_back({drawing.layer, static_cast<std::uint32_t>(out.instances.size())});
-            if (scene.perspective.on) add_sides(scene, i, poses, shapes, layer, alpha, now, out);
+        const DrawingRef ref = scene.order[i];
+        const Drawing& drawing = scene.drawings[ref.slot];
+        if (!scene.slots.alive(ref) || !is_there(drawing, poses, shapes)) {
+            all_there = false;
+            continue;
         }
-        out.instances.push_back(*face);
+        if (!drawing.visible || !layer.go_to(drawing.layer)) continue;
+        if (!face_of(out.instances.emplace_back(), scene, drawing, poses, shapes, layer, alpha, now)) {
+            out.instances.pop_back();
+            continue;
+        }
+        if (out.layers.empty() || out.layers.back().layer != drawing.layer) {
+            out.layers.push_back({drawing.layer, static_cast<std::uint32_t>(out.instances.size() - 1)});
+            if (scene.perspective.on) {
+                const Instance face = out.instances.back();
+                out.instances.pop_back();
+                add_sides(scene, i, poses, shapes, layer, alpha, now, out);
+                out.instances.push_back(face);
+            }
+        }
         if (drawing.edge_width > 0.0f) {
-            Instance edge = *face;
+            Instance edge = out.instances.back();
             edge.to_texture = {}, edge.texture = edge.normals = edge.glows = kNoTexture;
             edge.glow = 0.0f;
             edge.tint = multiplied(drawing.edge, layer.tint);
@@ -185,6 +200,7 @@ void collect(Scene& scene, const Poses& poses, const Shapes& shapes, const Affin
             out.instances.push_back(edge);
         }
     }
+    if (!all_there) drop_what_is_gone(scene, poses, shapes);
 }
 
 } // namespace evil::draw

@@ -44,24 +44,28 @@ void put_next(Context& context, Run& run, std::uint32_t number) {
     const bool lit = instance.lit && light.on;
     const bool has_surface = instance.glow > 0.0f || (lit && light.directed && instance.normals != draw::kNoTexture);
     const draw::Blend blend = instance.blend == draw::Blend::add ? draw::Blend::over : instance.blend;
-    Sprite sprite;
+    std::vector<Sprite>& sprites = context.frame.sprites;
+    Sprite& sprite = sprites.emplace_back(); // filled where it lies
     Way way;
-    switch (has_surface ? Fit::other
-                        : fit(sprite, way, instance, context.shapes.shapes[instance.mesh].box, context.pictures.places,
-                              held(context, instance.texture), lit, target)) {
-    case Fit::nothing:
-        return;
-    case Fit::other:
+    const Fit how = has_surface ? Fit::other
+                                : fit(sprite, way, instance, context.shapes.shapes[instance.mesh].box,
+                                      context.pictures.places, held(context, instance.texture), lit, target);
+    if (how != Fit::sprite) {
+        sprites.pop_back();
+        if (how == Fit::nothing) return;
         finish(context, run, number);
         return put_instance(context, instance);
-    case Fit::sprite:
-        break;
     }
-    if (length_of(context, run) > 0 && (way.page != run.page || blend != run.blend)) finish(context, run, number);
-    if (length_of(context, run) == 0)
-        run.first = number, run.page = way.page, run.blend = blend, run.lit = false, run.fringe = Fringe::none;
+    bool begins = length_of(context, run) == 1;
+    if (!begins && (way.page != run.page || blend != run.blend)) {
+        const Sprite first = sprite;
+        sprites.pop_back();
+        finish(context, run, number);
+        sprites.push_back(first);
+        begins = true;
+    }
+    if (begins) run.first = number, run.page = way.page, run.blend = blend, run.lit = false, run.fringe = Fringe::none;
     run.lit |= lit, run.fringe = std::max(run.fringe, way.fringe);
-    context.frame.sprites.push_back(sprite);
 }
 
 // Something of its own, in the midst of the draw calls.

@@ -241,6 +241,8 @@ Box box_of(const Shape& shape, const Mesh& mesh) {
     box.v = static_cast<float>(shape.v.dx * x + shape.v.dy * y + shape.v.at);
     box.up = static_cast<float>(shape.u.dx * w), box.vp = static_cast<float>(shape.v.dx * w);
     box.uq = static_cast<float>(shape.u.dy * h), box.vq = static_cast<float>(shape.v.dy * h);
+    const float across = std::fabs(box.up) + std::fabs(box.uq), down = std::fabs(box.vp) + std::fabs(box.vq);
+    box.repeats = leave(box.u, box.v, across, down), box.whole = reach(across, down);
     return box;
 }
 
@@ -277,6 +279,12 @@ Shape circle() {
 }
 
 } // namespace
+
+bool leave(float u, float v, float width, float height) {
+    return !(u - width > -0.001f && u + width < 1.001f && v - height > -0.001f && v + height < 1.001f);
+}
+
+bool reach(float width, float height) { return width > 0.4999f && height > 0.4999f; }
 
 void update(Shapes& shapes, const draw::DrawList& list) {
     if (shapes.revision > 0 && same_meshes(shapes.meshes, list.meshes) && same(shapes.vertices, list.vertices) &&

@@ -14,11 +14,17 @@ struct Plane { // a number that changes linearly over the mesh: dx * x + dy * y 
 
 struct Box { // a mesh that is all of its bounds, white, with one map to texture coordinates
     bool is = false;
+    bool repeats = false;             // its texture coordinates leave the picture
+    bool whole = false;               // ... and reach the picture's sides
     float x = 0, y = 0, w = 0, h = 0; // middle, half sides
     float u = 0, v = 0;               // texture coordinates in the middle
     float up = 0, vp = 0, uq = 0,
           vq = 0; // ... and how they change to the middle of the right side, and of the high one
 };
+
+// Whether texture coordinates that lie so far to both sides of a middle leave the picture; and whether they reach its sides.
+bool leave(float u, float v, float width, float height);
+bool reach(float width, float height);
 
 struct Shape {                                 // one mesh
     std::uint32_t first_edge = 0, edges = 0;   // none: nothing to draw

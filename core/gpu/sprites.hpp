@@ -14,7 +14,10 @@ struct Spot {
     float width = 0, height = 0;
     Rect seen;                  // of the copy: outside, it is clear. low is its top
     bool clear_corners = false; // two texels each way
+    float border = 0;           // how many texels are clear along all sides
 };
+
+Spot make_spot(float left, float top, float width, float height, Rect seen, bool clear_corners);
 
 struct Place { // of a picture in the atlas
     std::uint32_t page = 0;

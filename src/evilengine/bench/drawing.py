@@ -96,7 +96,8 @@ class Ours:
         if self.game.renderer.name != renderer:
             raise DeviceError(f"{renderer}: there is no driver for it here")
         self._batcher = _core.Batcher()
-        self._batcher.hold()
+        picture = self._batcher.hold()
+        self._batcher.place(picture, 0, [(0.0, 0.0, SIDE, SIDE, 1.0, 1.0, SIDE - 1.0, SIDE - 1.0, 1.0)])
 
     def prepare(self) -> None: ...
 
