@@ -125,7 +125,7 @@ def test_a_foreign_package_is_known_in_one_place_only(package: str) -> None:
 def test_the_engine_needs_nothing_that_is_not_declared() -> None:
     import sys
 
-    declared = {"sdl2", "sdl2dll", "PIL", "miniaudio", "moderngl", "platformdirs", "evilengine"}
+    declared = {"sdl2", "sdl2dll", "PIL", "uharfbuzz", "miniaudio", "moderngl", "platformdirs", "evilengine"}
     beside = {"pymunk", "pyb2d3"}  # of the extra `bench`: without them, nothing is measured beside the engine
     used = {name.split(".")[0] for file in python_files() for name in imports_of(file)} - beside
     assert used - declared - sys.stdlib_module_names == set()

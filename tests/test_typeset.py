@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import itertools
 from pathlib import Path
 
 import numpy as np
@@ -13,8 +14,8 @@ from PIL import ImageFont
 from stage import Stage
 
 import evilengine as evil
-from evilengine.assets.fonts import Fonts, _kerning
-from evilengine.scene.typeset import typeset
+from evilengine.assets.fonts import Fonts
+from evilengine.scene.typeset import layout, typeset
 from evilengine.values.font import Font, Glyph
 from evilengine.values.image import Image
 
@@ -80,14 +81,24 @@ def ink(image: Image) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
     return np.asarray(image.pixels)[..., :3].max(axis=2) > 128
 
 
-def test_kerning_is_what_a_pair_is_narrower_than_its_letters_apart() -> None:
-    class Face:
-        def getlength(self, text: str) -> float:
-            return 10.0 * len(text) - 2.5 * text.count("To")
+@pytest.mark.parametrize("name", [None, "title.ttf"])
+def test_pairs_stand_as_the_typefaces_gpos_table_says(folder: Path, name: str | None) -> None:
+    kerning = Fonts(folder).load(100, name).kerning
+    # Of Pillow's typeface, in thousandths of its size, as its GPOS table has them in classes.
+    table = {"AV": -60, "To": -62, "LT": -134, "VA": -44, "oo": 0, "11": 0}
+    assert {pair: kerning(*pair) for pair in table} == {pair: round(part / 10) for pair, part in table.items()}
+    assert kerning("T", "\xf6") == kerning("T", "o")  # which the typeface lacks, and is put together
+    assert kerning("T", " ") == kerning(" ", "V") == 0.0
+    assert {kerning(a, b) % 1 for a in "AVTLo" for b in "AVTLo"} == {0.0}
 
-    kerning = _kerning(Face())  # type: ignore[arg-type]
-    assert kerning("T", "o") == -2.5
-    assert kerning("o", "T") == 0.0
+
+def test_a_kerned_text_is_narrower_by_its_pairs(folder: Path) -> None:
+    font = Fonts(folder).load(60)
+    apart = sum(font.glyphs[letter].advance for letter in "AVAToLT")
+    pairs = sum(font.kerning(*pair) for pair in itertools.pairwise("AVAToLT"))
+    assert pairs < -12
+    _, (width, _) = layout(font, "AVAToLT")
+    assert width == apart + pairs
 
 
 def test_letters_of_a_file_are_made_when_they_are_asked_for(folder: Path) -> None:

@@ -5,13 +5,12 @@ Pillow's typeface is Latin without accents, so letters such as a-ring are put to
 
 from __future__ import annotations
 
-import functools
 import unicodedata
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from evilengine.assets.kerning import kerning_of
 from evilengine.values import picture_files
 from evilengine.values.checks import did_you_mean, number
 from evilengine.values.errors import AssetError
@@ -127,17 +126,7 @@ def _make(face: FreeTypeFont, size: int, characters: list[str]) -> Font:
     atlas.putalpha(shapes)
     ascent, descent = pen.face.getmetrics()
     picture = picture_files.from_pillow(atlas)
-    return Font(size, float(ascent), float(ascent + descent), picture, glyphs, _kerning(face))
-
-
-def _kerning(face: FreeTypeFont) -> Callable[[str, str], float]:
-    """What a pair of letters is narrower than the two apart; worked out when it is first asked for."""
-
-    @functools.lru_cache(maxsize=20_000)
-    def kerning(before: str, letter: str) -> float:
-        return float(face.getlength(before + letter) - face.getlength(before) - face.getlength(letter))
-
-    return kerning
+    return Font(size, float(ascent), float(ascent + descent), picture, glyphs, kerning_of(face))
 
 
 class _Pen:
