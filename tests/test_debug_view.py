@@ -214,6 +214,7 @@ def test_nothing_is_drawn_of_what_is_off_and_each_part_shows_something(lone: Sta
     lone.add(evil.Rectangle(6, 1), at=(0, -1.5), kind="static")
     a, b = lone.add(evil.Circle(0.5), at=(0, -0.51), velocity=(3, -3)), lone.add(evil.Circle(0.3), at=(2, 0.5))
     lone.world.add_joint(evil.joints.Distance(a, b))
+    lone.scene.lights.add(at=(1, 1.5))
     lone.world.step()
     dark = lone.show().tobytes()
     assert {dark[i] for i in range(len(dark)) if i % 4 != 3} == {0}
@@ -223,6 +224,23 @@ def test_nothing_is_drawn_of_what_is_off_and_each_part_shows_something(lone: Sta
         assert lone.scene.debug_view.shown == (part,)
         pictures.add(lone.show().tobytes())
     assert len(pictures | {dark}) == len(PARTS) + 1
+
+
+def test_lights_and_the_edges_of_shadows_are_where_tangents_have_them(lone: Stage) -> None:
+    lone.scene.debug_view.show(["lights"])
+    lone.scene.debug_view.light, lone.scene.debug_view.umbra = "lime", "red"
+    lone.scene.debug_view.penumbra = "blue"
+    lone.add(evil.Rectangle(0.5, 2), at=(0, 0), kind="static")
+    lamp = lone.scene.lights.add(at=(-2.25, 0), size=0.5, radius=4)
+    assert sees(lone, (1.75, 0), GREEN), "where its light ends"
+    assert sees(lone, (-1.75, 0), GREEN), "its rim"
+    assert sees(lone, (0.75, 1.25), RED), (
+        "from the lamp's upper rim past the nearer corner, 1 up: half as much as far again"
+    )
+    assert sees(lone, (0.75, 1.75), BLUE), "and from its lower rim"
+    assert not sees(lone, (0.75, 0.75), RED)
+    lamp.shadows = False
+    assert not sees(lone, (0.75, 1.25), RED)
 
 
 def test_parts_that_there_are_not_are_named(lone: Stage) -> None:

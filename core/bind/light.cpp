@@ -3,6 +3,7 @@
 #include "bind/bytes.hpp"
 #include "bind/scene.hpp"
 #include "bind/visit.hpp"
+#include "draw/debug_lights.hpp"
 #include "draw/draw_list.hpp"
 #include "draw/lit_specks.hpp"
 #include "light/lighting.hpp"
@@ -21,6 +22,7 @@ using light::Light;
 struct LightsBox { // what Python holds
     light::Lights lights;
     light::Scratch scratch;
+    light::Casters casters; // of the debug view
 };
 
 using Reference = std::tuple<std::uint32_t, std::uint32_t>; // slot, generation
@@ -65,6 +67,15 @@ bool collect(LightsBox& box, const SceneBox& scene, World& world, const Matrix6&
                    height);
     draw::light_specks(list);
     return needed;
+}
+
+// How many lights are on; inks of lamps, full shadows and half shadows.
+int debug(LightsBox& box, const SceneBox& scene, const World& world, const Matrix6& view, double alpha, float points,
+          const std::array<draw::Rgba8, 3>& inks) {
+    const Affine to_pixel = to_affine(view);
+    return draw::draw_lights(
+        {overlay_of(scene), world, to_pixel, part_of_step(alpha), points, {inks[0], inks[1], inks[2]}}, box.lights,
+        box.casters);
 }
 
 // For a restore: `slots` rising, each with its serial and its body's slot; `same` for lights that are there already.
@@ -204,6 +215,9 @@ void register_light(nb::module_& module) {
           nb::arg("height"), nb::arg("ambient"), nb::arg("strength"), nb::arg("depth"), nb::arg("step"),
           nb::arg("quality"), nb::arg("bounce"),
           "Put the frame's light into the list that the scene collected; whether anything in it is lit.");
+    c.def("debug", &debug, nb::arg("scene"), nb::arg("world"), nb::arg("view"), nb::arg("alpha"), nb::arg("points"),
+          nb::arg("inks"),
+          "Put lights and the edges of shadows on top of the collected frame; how many lights are on.");
     module.def(
         "light_map",
         [](const draw::DrawList& list)

@@ -2147,6 +2147,11 @@ class Lights:
         Put the frame's light into the list that the scene collected; whether anything in it is lit.
         """
 
+    def debug(self, scene: Scene, world: World, view: tuple[float, float, float, float, float, float], alpha: float, points: float, inks: Sequence[int]) -> int:
+        """
+        Put lights and the edges of shadows on top of the collected frame; how many lights are on.
+        """
+
 def light_map(list: DrawList) -> tuple[int, int, float, float, float, list[bytes]] | None:
     """
     Width, height, pixels a texel, where in the picture the first one's middle lies, and planes of texels, r, g, b, 1 as floats of 16 bits: the light, and where something has normals its ways across and down; None where nothing is lit.

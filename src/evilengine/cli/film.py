@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, TextIO, cast
 
 from evilengine.assets.film import save_film
 from evilengine.cli import autosave
+from evilengine.cli.looks import NO_LOOKS, Looks
 from evilengine.cli.stage import perform
 from evilengine.platform import HeadlessDevice
 from evilengine.platform.device import MOST_POINTS
@@ -44,7 +45,7 @@ class Shot:
     renderer: str = "auto"
     sway: bool = True
     """Does a hand sway the device, for games with tilt?"""
-    debug_view: bool = False
+    looks: Looks = NO_LOOKS
     resume: bool = False
     """Does it begin where the game's window was closed?"""
     record: Path | None = None
@@ -123,7 +124,7 @@ class _Camera(ABC):
 
     def run(self, game: Game) -> None:
         if not self.done:
-            game.debug = game.debug or self.shot.debug_view
+            self.shot.looks.put_on(game)
             if self.shot.resume:
                 autosave.resume(game, self.path)
             if self.shot.record is not None:

@@ -6,12 +6,14 @@ import argparse
 import math
 import re
 
+from evilengine.cli import looks
+
 
 def add_picture_arguments(parser: argparse.ArgumentParser) -> None:
-    """--size, --renderer and --debug-view."""
+    """--size and --renderer, and how the game is looked at."""
     parser.add_argument("--size", type=size, metavar="WxH", help="size of the picture, such as 960x540")
     parser.add_argument("--renderer", choices=("auto", "gl", "soft"), default="auto", help="who draws (default: auto)")
-    parser.add_argument("--debug-view", action="store_true", help="show outlines, contact normals and gravity")
+    looks.add_arguments(parser)
 
 
 def size(text: str) -> tuple[int, int]:

@@ -25,7 +25,7 @@ import argparse
 import tempfile
 from pathlib import Path
 
-from evilengine.cli import options, sources
+from evilengine.cli import looks, options, sources
 from evilengine.values.errors import ArgumentError
 
 FILM_SECONDS = 10.0
@@ -58,14 +58,14 @@ def run(args: argparse.Namespace) -> int:
 
         target = Path(args.film) if args.film else _writable_folder() / f"{path.stem}.webp"
         shot = film.Shot(
-            size=args.size, renderer=args.renderer, debug_view=args.debug_view, resume=args.resume, record=recording
+            size=args.size, renderer=args.renderer, looks=looks.of(args), resume=args.resume, record=recording
         )
         print(film.film(path, target, shot, seconds=args.seconds or FILM_SECONDS))
         return 0
     from evilengine.cli.player import Player
 
-    looks = {"size": args.size, "renderer": args.renderer, "debug_view": args.debug_view}
-    return Player(path, **looks, seconds=args.seconds, resume=args.resume, record=recording).play()
+    picture = {"size": args.size, "renderer": args.renderer, "looks": looks.of(args)}
+    return Player(path, **picture, seconds=args.seconds, resume=args.resume, record=recording).play()
 
 
 def _what(args: argparse.Namespace) -> Path:

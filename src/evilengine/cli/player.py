@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from evilengine.assets.pictures import stamp_of
 from evilengine.cli import autosave
+from evilengine.cli.looks import NO_LOOKS, Looks
 from evilengine.cli.stage import level_game, perform
 from evilengine.values.errors import Error, LevelError
 from evilengine.values.events import Event, KeyEvent
@@ -51,7 +52,7 @@ class Player:
         *,
         size: tuple[int, int] | None = None,
         renderer: str = "auto",
-        debug_view: bool = False,
+        looks: Looks = NO_LOOKS,
         seconds: float | None = None,
         resume: bool = False,
         record: Path | None = None,
@@ -61,7 +62,8 @@ class Player:
         self.path = path
         self.size = size
         self.renderer = renderer
-        self.debug_view = debug_view
+        self.looks = looks
+        self.debug_view: bool | None = None  # once the player has switched it on or off
         self.frame_graph = False
         self.seconds = seconds
         self.resume = resume
@@ -177,7 +179,9 @@ class Player:
             from evilengine.game import replaying
 
             game._recorder = replaying.record(game, self._next_recording(self.record), level=self.is_level)
-        game.debug = game.debug or self.debug_view
+        self.looks.put_on(game)
+        if self.debug_view is not None:
+            game.debug = self.debug_view
         game.frame_graph = game.frame_graph or self.frame_graph
         game._watchers.append(self._key)
         words = (TILT_HINT if game.tilt else "") + (LEVEL_HINT if self.is_level else HINT)

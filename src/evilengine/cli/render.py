@@ -12,7 +12,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from evilengine.cli import options, sources
+from evilengine.cli import looks, options, sources
 from evilengine.values.errors import ArgumentError
 
 FILM_SECONDS = 10.0
@@ -40,7 +40,7 @@ def run(args: argparse.Namespace) -> int:
     if args.at is not None and args.seconds is not None:
         raise ArgumentError("--at makes a picture and --seconds a film; give one of them")
     path, target = sources.source(args.what), Path(args.output)
-    shot = film.Shot(size=args.size, renderer=args.renderer, sway=args.tilt == "sway", debug_view=args.debug_view)
+    shot = film.Shot(size=args.size, renderer=args.renderer, sway=args.tilt == "sway", looks=looks.of(args))
     if target.suffix.lower() not in film.FILMS + film.PICTURES:
         raise ArgumentError(f"{target} must end in {', '.join(film.FILMS)} for a film, .png or .jpg for a picture")
     if args.at is not None or (target.suffix.lower() not in (".webp", ".gif") and args.seconds is None):

@@ -18,7 +18,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from evilengine.cli import film, options
+from evilengine.cli import film, looks, options
 from evilengine.cli.stage import perform
 from evilengine.platform import open_device, screen_available
 from evilengine.save import Replay
@@ -45,7 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     replay = Replay.read(Path(args.recording))
-    shot = film.Shot(size=args.size, renderer=args.renderer, sway=False, debug_view=args.debug_view)
+    shot = film.Shot(size=args.size, renderer=args.renderer, sway=False, looks=looks.of(args))
     if args.output:
         film.check_ending(Path(args.output), film.FILMS, "a film")
         show: Callable[[Game, Playback], None] = film.Reel(Path(args.output), shot, args.fps)
@@ -77,7 +77,7 @@ class _Stage:
             if self.playback is None:
                 from evilengine.game import replaying
 
-                game.debug = game.debug or self.shot.debug_view
+                self.shot.looks.put_on(game)
                 game._playback = self.playback = replaying.play(game, self.replay)
                 self.show(game, self.playback)
         finally:

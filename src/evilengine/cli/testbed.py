@@ -17,7 +17,7 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from evilengine.cli import options
+from evilengine.cli import looks, options
 from evilengine.values.errors import ArgumentError
 
 if TYPE_CHECKING:
@@ -67,7 +67,7 @@ def _open(args: argparse.Namespace, headless: bool = False) -> Testbed:
     size = args.size or SIZE
     device = HeadlessDevice(size, title="EvilEngine testbed") if headless else None
     bed = Testbed(args.scene, size=size, renderer=args.renderer, threads=args.threads, device=device)
-    bed.game.debug = args.debug_view
+    looks.of(args).put_on(bed.game)
     return bed
 
 

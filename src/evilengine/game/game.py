@@ -15,6 +15,7 @@ from evilengine.audio import Audio, Listener
 from evilengine.game import replaying, saving, scenes
 from evilengine.game.controls import Controls
 from evilengine.game.life import Life
+from evilengine.game.light_quality import LightQuality
 from evilengine.game.output import SHIPPED, for_device, open_output
 from evilengine.game.screen import GameScreen
 from evilengine.game.stage import STAGE, keep_pace, open_device, script_folder, to_path
@@ -130,6 +131,7 @@ class Game(Life, GameScreen, Controls, Things):
         self._recorder: Recorder | None = None
         self._playback: replaying.Playback | None = None
         self._clock = Clock()
+        self._light_quality = LightQuality()
         self._alpha = 1.0
         self._steps_made = 0  # in all scenes
         self._blank = self.world.snapshot()
@@ -164,6 +166,7 @@ class Game(Life, GameScreen, Controls, Things):
         self.renderer.show(self.device)
         self._hear(paused=self.paused)
         self.timings.shown()
+        self._light_quality.note(self)
         self._tidy_notice(now)
         for each in asked:
             each()

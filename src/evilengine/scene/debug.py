@@ -15,6 +15,7 @@ from evilengine.values.vec2 import Vec2
 
 if TYPE_CHECKING:
     from evilengine._core import Scene as CoreScene
+    from evilengine.scene.lights import Lights
     from evilengine.world.world import World
 
 EARTH = 9.81  # m/s2: gravity this strong fills its dial
@@ -22,8 +23,10 @@ DIAL = 30.0  # radius of the dial that shows gravity, and all lengths below: log
 MARGIN = 12.0
 LEGEND_SIZE = 13.0
 
-PARTS = ("shapes", "contacts", "impulses", "joints", "bounds", "islands", "centres", "velocities")
+WORLD_PARTS = ("shapes", "contacts", "impulses", "joints", "bounds", "islands", "centres", "velocities")
 """What of a world can be shown; in the order of Part in core/draw/debug.hpp."""
+PARTS = (*WORLD_PARTS, "lights")
+"""All that can be shown."""
 INKS = (
     "static", "kinematic", "awake", "asleep", "sensor", "medium", "contact", "impulse", "joint", "bound", "centre",
     "velocity",
@@ -70,6 +73,9 @@ class DebugView:
     """Centres of mass."""
     velocities: bool = False
     """Arrows from each body's centre of mass to where it would be in a tenth of a second."""
+    lights: bool = False
+    """Where lights are, how large they are, how far they reach and how wide they open; and the edges of shadows: full
+    ones, which end where nothing of a light is hidden whole any more, and half ones."""
     dial: bool = True
     """The dial at the top right, with which way and how strongly gravity pulls."""
     legend: bool = True
@@ -87,6 +93,9 @@ class DebugView:
     bound: ColourLike = "#7a5cc0"
     centre: ColourLike = "#ffffff"
     velocity: ColourLike = "#6cc4ff"
+    light: ColourLike = "#fff1a8"
+    umbra: ColourLike = "#ff8f3f"
+    penumbra: ColourLike = "#c9a35a90"
     gravity: ColourLike = "#ffd75e"
     veil: ColourLike = "#0c1018b0"
     """Lies over the world and under the lines, so that they stand out whatever the colours below."""
@@ -112,6 +121,7 @@ class DebugView:
         self,
         core: CoreScene,
         world: World,
+        lights: Lights,
         fonts: Fonts | None,
         view: Matrix6,
         alpha: float,
@@ -121,11 +131,15 @@ class DebugView:
         """Put it on top of the collected frame, seen through `view`; `screen` in pixels, `scale` of them a point."""
         core.box(0.0, 0.0, screen[0], screen[1], _packed(self.veil))
         inks = [_packed(getattr(self, ink)) for ink in INKS]
-        counts = core.debug(world._core, view, alpha, scale, inks, [bool(getattr(self, part)) for part in PARTS])
+        counts = core.debug(world._core, view, alpha, scale, inks, [bool(getattr(self, part)) for part in WORLD_PARTS])
+        shining = lights._debug(core, view, alpha, scale, self._light_inks()) if self.lights else 0
         if self.dial:
             self._draw_gravity(core, world.gravity, view, screen, scale)
         if self.legend and fonts is not None:
-            self._draw_legend(core, world, fonts, counts, screen, scale)
+            self._draw_legend(core, fonts, self._legend(world, counts, shining), screen, scale)
+
+    def _light_inks(self) -> tuple[int, int, int]:
+        return _packed(self.light), _packed(self.umbra), _packed(self.penumbra)
 
     def _draw_gravity(
         self, core: CoreScene, gravity: Vec2, view: Matrix6, screen: tuple[int, int], scale: float
@@ -138,7 +152,7 @@ class DebugView:
         reach = on_screen * (0.85 * radius * min(gravity.length / EARTH, 1.0))
         core.arrow(x - reach.x, y - reach.y, x + reach.x, y + reach.y, 3.0 * scale, _packed(self.gravity))
 
-    def _legend(self, world: World, counts: Counts) -> list[tuple[ColourLike | None, str]]:
+    def _legend(self, world: World, counts: Counts, shining: int) -> list[tuple[ColourLike | None, str]]:
         """Colours with what they stand for, of what is shown."""
         bodies, asleep, contacts, joints, islands = counts
         states = [(self.awake, "awake"), (self.asleep, f"asleep {asleep}")] if not self.islands else []
@@ -149,6 +163,7 @@ class DebugView:
         words += [(self.joint, f"joints {joints}")] if self.joints and joints else []
         words += [(self.bound, "bounds")] if self.bounds else []
         words += [(self.velocity, "velocities")] if self.velocities else []
+        words += [(self.light, f"lights {shining}"), (self.umbra, "shadow")] if self.lights else []
         words += [(self.gravity, f"gravity {world.gravity.length:.1f}")] if self.dial else []
         counted = f"   islands {islands}" if self.islands else ""
         return [*words, (None, f"bodies {bodies}{counted}   step {world.steps}")]
@@ -156,13 +171,11 @@ class DebugView:
     def _draw_legend(
         self,
         core: CoreScene,
-        world: World,
         fonts: Fonts,
-        counts: Counts,
+        words: list[tuple[ColourLike | None, str]],
         screen: tuple[int, int],
         scale: float,
     ) -> None:
-        words = self._legend(world, counts)
         texture, font = fonts(max(round(LEGEND_SIZE * scale), 6))
         left, line = float(round(MARGIN * scale)), font.line_height
         top = float(round(screen[1] - MARGIN * scale - line))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Iterator
 from typing import Any
 
@@ -12,12 +13,13 @@ from evilengine.scene.light import LIMITS, Light, to_mask, to_place
 from evilengine.values.checks import known_keywords, number, one_of
 from evilengine.values.colour import WHITE, Colour, ColourLike, to_colour
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
+from evilengine.values.governor import QUALITIES
 from evilengine.values.temperature import COLDEST, HOTTEST
 from evilengine.values.vec2 import Point, to_vec2
 from evilengine.world.body import Body
 from evilengine.world.world import World
 
-QUALITIES = {"low": (4, _core.Quality.low), "medium": (2, _core.Quality.medium), "high": (2, _core.Quality.high)}
+STEPS = {"low": (4, _core.Quality.low), "medium": (2, _core.Quality.medium), "high": (2, _core.Quality.high)}
 """Pixels that share one measure of light, along each side; and how it is worked out."""
 
 DIM = 0.15
@@ -50,7 +52,10 @@ class Lights:
         self._ambient: float | Colour | None = None
         self._depth = 0.8
         self._bounce = 1.0
-        self._quality = "medium"
+        self._quality = "auto"
+        self._present = "medium"
+        self._cost: float | None = None  # milliseconds of the last frame's light
+        self._asked: tuple[_core.Scene, Matrix6, float, tuple[int, int], float] | None = None
 
     def __len__(self) -> int:
         """How many there are, switched on or not. Those of a body that was destroyed count until the next frame."""
@@ -100,12 +105,21 @@ class Lights:
     def quality(self) -> str:
         """How light is worked out: "low", with hard shadows; "medium", with soft ones; "high", with light that surfaces
         send on to each other as well, and corners that little ambient light gets into.
+
+        At "auto" a game in a window takes what its machine has time for, at first and while it runs. Where there is no
+        window, and in what is replayed, that is "medium", so that pictures come out the same again.
         """
         return self._quality
 
     @quality.setter
     def quality(self, value: str) -> None:
-        self._quality = one_of(value, "Lights", "quality", QUALITIES)
+        self._quality = one_of(value, "Lights", "quality", ("auto", *QUALITIES))
+        self._present = "medium" if self._quality == "auto" else self._quality
+
+    @property
+    def present_quality(self) -> str:
+        """The quality that light has now, which "auto" may change from frame to frame."""
+        return self._present
 
     @known_keywords
     def add(
@@ -194,15 +208,36 @@ class Lights:
 
     def _collect(self, scene: _core.Scene, view: Matrix6, alpha: float, screen: tuple[int, int], scale: float) -> None:
         """Put the frame's light into the scene's list; without lights and ambient light, things look as they are."""
+        self._cost = None
         if self._ambient is None and not len(self):
             return
+        self._asked = scene, view, alpha, screen, scale
+        self._cost = self._work_out(self._present)
+
+    def _debug(self, scene: _core.Scene, view: Matrix6, alpha: float, scale: float, inks: tuple[int, int, int]) -> int:
+        """Put what shines and the edges of shadows over the collected frame; how many lights are on."""
+        return self._core.debug(scene, self._world._core, view, alpha, scale, inks)
+
+    def _work_out(self, quality: str) -> float | None:
+        """Light of the frame that was asked for last; how many milliseconds it took, None where nothing is lit."""
+        assert self._asked is not None
+        scene, view, alpha, screen, scale = self._asked
         ambient = self.ambient
         colour, strength = (ambient, 1.0) if isinstance(ambient, Colour) else (WHITE, ambient)
-        step, quality = QUALITIES[self._quality]
-        self._core.collect(
+        step, method = STEPS[quality]
+        start = time.perf_counter()
+        lit = self._core.collect(
             scene, self._world._core, view, alpha, *screen, (colour.r, colour.g, colour.b), strength, self._depth,
-            step * max(1, round(scale)), quality, self._bounce,
+            step * max(1, round(scale)), method, self._bounce,
         )  # fmt: skip
+        return 1e3 * (time.perf_counter() - start) if lit else None
+
+    def _measure(self) -> dict[str, float]:
+        """Milliseconds that light of the last frame takes at each quality, once there is memory for it."""
+        costs = {}
+        for quality in QUALITIES:
+            costs[quality] = min(self._work_out(quality) or 0.0 for _ in range(2))
+        return costs
 
 
 def _angle_of(direction: Point, owner: str) -> float:

@@ -314,7 +314,7 @@ class Scene(Shown):
         if self.post.on:
             self.post.put(self._core, self.world.steps)
         if self.debug:
-            self.debug_view.draw(self._core, self.world, self._fonts, view, alpha, screen, scale)
+            self.debug_view.draw(self._core, self.world, self.lights, self._fonts, view, alpha, screen, scale)
         return DrawList(screen, self._background.rgba8, content)
 
     def collect_screen(self, screen: tuple[int, int], scale: float, *, overlay: bool = True) -> _core.DrawList:
