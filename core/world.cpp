@@ -17,7 +17,8 @@ void World::step(float dt, int substeps) {
     wake_islands(solver, bodies, contacts, joints, forces);
     find_buried(buried, contacts, bodies);
     apply_media(forces, bodies, shapes, gravity, dt, media);
-    solve(solver, bodies, contacts, joints, forces, gravity, {dt, substeps, instruction_set}, threads);
+    solve(solver, bodies, contacts, joints, forces, gravity, {dt, substeps, instruction_set, events.hit_speed},
+          threads);
     calm_buried(buried, bodies);
     stop_in_time(continuous, solver.paths, placed, bodies, shapes, joints);
     break_joints(*this);

@@ -3,6 +3,9 @@
 #include "bodies.hpp"
 #include "collider/placed.hpp"
 #include "shapes/shapes.hpp"
+#include <bit>
+#include <cstddef>
+#include <cstring>
 
 namespace evil {
 
@@ -46,14 +49,40 @@ struct Contact {
     ManifoldPoint points[2];
 };
 
+// A contact as wide kernels read and write it: rows of eight floats, from the axis on. The last two share three floats.
+struct ContactRows {
+    static constexpr std::size_t kHead = 24, kFirst = 56, kMiddle = 88, kSecond = 100, kLast = 108; // bytes
+    static constexpr std::size_t kImpulses[2] = {80, 120};
+};
+static_assert(std::endian::native == std::endian::little && sizeof(Contact) == 140 && sizeof(ManifoldPoint) == 40);
+static_assert(offsetof(Contact, axis) == 24 && offsetof(Axis, of_b) == 2 && offsetof(Axis, known) == 3);
+static_assert(offsetof(Contact, count) == 28 && offsetof(Contact, touching) == 30 && offsetof(Contact, struck) == 31);
+static_assert(offsetof(Contact, passage) == 32 && offsetof(Contact, compound) == 33);
+static_assert(offsetof(Contact, normal) == 40 && offsetof(Contact, friction) == 48);
+static_assert(offsetof(Contact, surface_speed) == 56 && offsetof(Contact, points) == 60);
+static_assert(offsetof(ManifoldPoint, separation) == 16 && offsetof(ManifoldPoint, normal_impulse) == 20);
+static_assert(offsetof(ManifoldPoint, closing_speed) == 32 && offsetof(ManifoldPoint, id) == 36);
+
 struct Pair {
     std::uint32_t a = 0, b = 0; // pieces, a < b
     friend auto operator<=>(Pair, Pair) = default;
 };
 
+// What a step asks of every contact, by row, so that it need not look at the rows themselves: there are few that it has to
+// do something about. Of this step; written with the manifolds.
+inline constexpr std::uint8_t kMeets = 1;    // it has points
+inline constexpr std::uint8_t kDeep = 2;     // they overlap by more than kDeepOverlap
+inline constexpr std::uint8_t kSeamed = 4;   // a piece of the two has neighbours (collider/seams.hpp)
+inline constexpr std::uint8_t kBounces = 8;  // restitution is not 0
+inline constexpr std::uint8_t kTelling = 16; // there may be something to tell of it (collider/events.hpp)
+
+inline constexpr float kDeepOverlap = 0.02f; // metres; what less does to a body is not worth a look
+
 struct Contacts {
     std::vector<Contact> rows;            // State, sorted by key
     struct {                              // Scratch
+        std::vector<std::uint8_t> marks;  // by row
+        std::vector<Pair> bodies;         // by row: a and b
         std::vector<Pair> pairs, matched; // found in this step; those that the rows were last matched with
         std::size_t matched_rows = 0;     // how many rows came of them
         std::uint64_t material_changes = ~std::uint64_t{0}; // Shapes' when materials were mixed last
@@ -61,5 +90,29 @@ struct Contacts {
         std::vector<Contact> parted; // touched in the last step, and now not even their bounds meet
     } scratch;
 };
+
+// What is to be asked of a contact as it is now; whether it is seamed is known to the pieces.
+inline std::uint8_t marks_of(const Contact& c) {
+    unsigned telling = c.sensor || c.compound ? kTelling : 0u;
+    if (c.count == 0) return static_cast<std::uint8_t>(c.touching || c.struck ? kTelling : telling);
+    float deepest = c.points[c.count > 1 && c.points[1].separation < c.points[0].separation].separation;
+    return static_cast<std::uint8_t>(telling | kMeets | (deepest <= -kDeepOverlap ? kDeep : 0u) |
+                                     (c.restitution > 0.0f ? kBounces : 0u));
+}
+
+// visit(row) for those that have one of the marks, in order.
+template <class Visit> void for_each_marked(const std::vector<std::uint8_t>& marks, std::uint8_t which, Visit&& visit) {
+    std::size_t row = 0, count = marks.size();
+    auto each = [&](std::size_t last) {
+        for (; row < last; ++row)
+            if (marks[row] & which) visit(static_cast<std::uint32_t>(row));
+    };
+    while (count - row >= 8) {
+        std::uint64_t eight;
+        std::memcpy(&eight, &marks[row], 8);
+        (eight & which * 0x0101010101010101u) == 0 ? void(row += 8) : each(row + 8);
+    }
+    each(count);
+}
 
 } // namespace evil

@@ -87,7 +87,8 @@ void join(Touch& into, const Touch& t) {
     into.speed = speed;
 }
 
-// What may be told: simple contacts that changed, all pieces of compound ones, and those that are gone.
+// What may be told: simple contacts that changed, all pieces of compound ones, and those that are gone. Of those that are not
+// marked, nothing has changed.
 void gather_changes(Events& events, Contacts& contacts, const Shapes& shapes, const Bodies& bodies) {
     auto& changes = events.scratch.changes;
     changes.clear();
@@ -96,13 +97,14 @@ void gather_changes(Events& events, Contacts& contacts, const Shapes& shapes, co
     };
     for (const Touch& t : events.lost) add(t, true, false, false);
     for (const Contact& c : contacts.scratch.parted) add(touch_of(c, shapes, bodies), true, false, false);
-    for (Contact& c : contacts.rows) {
+    for_each_marked(contacts.scratch.marks, kTelling, [&](std::uint32_t row) {
+        Contact& c = contacts.rows[row];
         bool was = c.touching, struck = hits(c, events.hit_speed), again = struck && c.struck;
         c.touching = c.sensor ? sees(c, shapes, bodies) : touches_now(c);
         c.struck = struck;
         if (c.compound ? was || c.touching : was != c.touching || (struck && !again))
             add(touch_of(c, shapes, bodies), was, c.touching, struck && !again);
-    }
+    });
     events.lost.clear();
     contacts.scratch.parted.clear();
 }

@@ -56,15 +56,31 @@ struct Sorted { // a chunk's contacts by the way their manifolds are found, as n
     std::uint16_t one_way[kGrain]; // whose passage is to be decided
 };
 
+// Some contacts and what is noted of them.
+struct Chunk {
+    std::span<Contact> rows;
+    std::uint8_t* marks;
+    Pair* bodies;
+    void note(std::size_t row) const { marks[row] = (marks[row] & kSeamed) | marks_of(rows[row]); }
+};
+
 // Contacts of bodies at rest stay as they are, unless they are new: nothing has changed between them.
-void sort_by_way(Sorted& sorted, std::span<Contact> rows, const Placements& placed, const Shapes& shapes, bool mix) {
+void sort_by_way(Sorted& sorted, const Chunk& chunk, const Placements& placed, const Shapes& shapes, bool mix) {
+    const std::uint8_t* kinds = placed.kinds.data();
+    auto [rows, marks, pairs] = chunk; // copies: bytes that are written might be anyone's
     for (std::size_t row = 0; row < rows.size(); ++row) {
         Contact& c = rows[row];
-        unsigned a = placed.kinds[c.piece_a], b = placed.kinds[c.piece_b];
+        __builtin_prefetch(&c + 8);
+        unsigned a = kinds[c.piece_a], b = kinds[c.piece_b];
+        marks[row] = (a | b) & kNeighboured ? kSeamed : 0;
+        pairs[row] = {c.body_a, c.body_b};
         if (mix || c.fresh) mix_materials(c, shapes);
-        if (!c.fresh && (a & b & kResting)) continue;
-        c.fresh = false;
-        if (c.sensor) continue; // looked at after the step: collider/events.cpp
+        bool stays = !c.fresh && (a & b & kResting);
+        if (c.fresh) c.fresh = false;
+        if (stays || c.sensor) { // sensors are looked at after the step: collider/events.cpp
+            chunk.note(row);
+            continue;
+        }
         Way way = way_of(a & kFormKind, b & kFormKind);
         sorted.rows[way][sorted.count[way]++] = static_cast<std::uint16_t>(row);
         if (c.one_way) sorted.one_way[sorted.one_ways++] = static_cast<std::uint16_t>(row);
@@ -91,34 +107,8 @@ struct Impulses {
 };
 
 std::int32_t packed(Axis axis) { return axis.known ? axis.edge | (axis.of_b ? kAxisOfB : 0) : kNoAxis; }
-Axis unpacked(std::int32_t axis) {
-    if (axis == kNoAxis) return {};
-    return {static_cast<std::uint16_t>(axis), (axis & kAxisOfB) != 0, true};
-}
 
 // The manifold of bodies that have parted stays as it was last: it says where they touched.
-void take_over(Contact& c, const EightManifolds& m, std::size_t lane) {
-    c.axis = unpacked(m.axis[lane]);
-    if (m.count[lane] == 0) {
-        c.count = 0;
-        return;
-    }
-    Impulses last(c);
-    c.count = static_cast<std::uint8_t>(m.count[lane]);
-    c.normal = {m.normal_x[lane], m.normal_y[lane]};
-    c.points[1] = {};
-    for (std::size_t i = 0; i < c.count; ++i) {
-        const auto& from = m.points[i];
-        ManifoldPoint& point = c.points[i];
-        point.anchor_a = {from.anchor_ax[lane], from.anchor_ay[lane]};
-        point.anchor_b = {from.anchor_bx[lane], from.anchor_by[lane]};
-        point.separation = from.separation[lane];
-        point.id = from.id[lane];
-        point.total_impulse = point.closing_speed = 0.0f;
-        last.give(point);
-    }
-}
-
 void take_over(Contact& c, const ManifoldSketch& sketch, const Body& a, const Body& b) {
     if (sketch.count == 0) {
         c.count = 0;
@@ -139,12 +129,15 @@ void take_over(Contact& c, const ManifoldSketch& sketch, const Body& a, const Bo
 }
 
 // A last eight that is not full repeats its last pair.
-void update_eight(std::span<Contact> contacts, const Shapes& shapes, const FormTables& tables, Kernel kernel,
-                  std::size_t way, std::span<const std::uint16_t> rows) {
+void update_eight(const Chunk& chunk, const Shapes& shapes, const FormTables& tables, std::size_t way,
+                  std::span<const std::uint16_t> rows, InstructionSet set) {
     EightPairs pairs;
     EightManifolds manifolds;
+    Contact* contacts[8];
+    std::uint8_t marks[8];
     for (std::size_t i = 0; i < 8; ++i) {
-        const Contact& c = contacts[rows[std::min(i, rows.size() - 1)]];
+        Contact& c = chunk.rows[rows[std::min(i, rows.size() - 1)]];
+        contacts[i] = &c;
         pairs.a[i] = c.piece_a;
         pairs.b[i] = c.piece_b;
         pairs.axis[i] = packed(c.axis);
@@ -153,8 +146,9 @@ void update_eight(std::span<Contact> contacts, const Shapes& shapes, const FormT
         pairs.corners_a[i] = shapes.pieces[pairs.a[i]].count;
         pairs.corners_b[i] = shapes.pieces[pairs.b[i]].count;
     }
-    kernel(tables, pairs, manifolds);
-    for (std::size_t i = 0; i < rows.size(); ++i) take_over(contacts[rows[i]], manifolds, i);
+    kernel_for(way, set)(tables, pairs, manifolds);
+    EVIL_PICK(set, take_over)(manifolds, contacts, marks);
+    for (std::size_t i = 0; i < rows.size(); ++i) chunk.marks[rows[i]] |= marks[i];
 }
 
 // Contacts in advance of touching, so that a fast body is slowed just enough (SPEC C8); no further than half the smaller
@@ -180,19 +174,27 @@ void update_manifolds(Contacts& contacts, const Placements& placed, const Shapes
     contacts.scratch.material_changes = shapes.material_changes;
     FormTables tables{reinterpret_cast<const float*>(placed.forms.data()),
                       reinterpret_cast<const float*>(shapes.few_corners.data()), kMargin, kReferenceBias};
+    auto& s = contacts.scratch;
+    s.marks.resize(contacts.rows.size());
+    s.bodies.resize(contacts.rows.size());
     parallel_for(threads, contacts.rows.size(), kGrain, [&](std::size_t first, std::size_t last) {
-        std::span<Contact> chunk(contacts.rows.data() + first, last - first);
+        Chunk chunk{{&contacts.rows[first], last - first}, &s.marks[first], &s.bodies[first]};
         Sorted sorted;
         sort_by_way(sorted, chunk, placed, shapes, mix);
         for (std::size_t way = 0; way < one_by_one; ++way) {
             std::span<const std::uint16_t> rows(sorted.rows[way], sorted.count[way]);
             for (std::size_t i = 0; i < rows.size(); i += 8)
-                update_eight(chunk, shapes, tables, kernel_for(way, set), way,
-                             rows.subspan(i, std::min<std::size_t>(8, rows.size() - i)));
+                update_eight(chunk, shapes, tables, way, rows.subspan(i, std::min<std::size_t>(8, rows.size() - i)),
+                             set);
         }
-        for (std::size_t i = 0; i < sorted.count[one_by_one]; ++i)
-            update_one(chunk[sorted.rows[one_by_one][i]], shapes, bodies, dt);
-        for (std::size_t i = 0; i < sorted.one_ways; ++i) decide_passage(chunk[sorted.one_way[i]], shapes, bodies, dt);
+        for (std::size_t i = 0; i < sorted.count[one_by_one]; ++i) {
+            update_one(chunk.rows[sorted.rows[one_by_one][i]], shapes, bodies, dt);
+            chunk.note(sorted.rows[one_by_one][i]);
+        }
+        for (std::size_t i = 0; i < sorted.one_ways; ++i) {
+            decide_passage(chunk.rows[sorted.one_way[i]], shapes, bodies, dt);
+            chunk.note(sorted.one_way[i]);
+        }
     });
 }
 

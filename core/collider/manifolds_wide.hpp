@@ -7,6 +7,7 @@
 
 namespace evil {
 
+struct Contact;
 inline constexpr std::int32_t kNoAxis = -1, kAxisOfB = 1 << 16; // else the edge's number
 
 struct EightPairs {
@@ -39,7 +40,10 @@ void collide_box_circle(const FormTables& t, const EightPairs& pairs, EightManif
 void collide_circle_box(const FormTables& t, const EightPairs& pairs, EightManifolds& out) noexcept;
 void collide_polygons(const FormTables& t, const EightPairs& pairs, EightManifolds& out) noexcept;
 void collide_polygon_circle(const FormTables& t, const EightPairs& pairs, EightManifolds& out) noexcept;
-void collide_circle_polygon(const FormTables& t, const EightPairs& pairs, EightManifolds& out) noexcept;)
+void collide_circle_polygon(const FormTables& t, const EightPairs& pairs, EightManifolds& out) noexcept;
+
+// Manifolds into eight contacts that are no sensors, and what marks_of says of each; one may come twice.
+void take_over(const EightManifolds& m, Contact* const* contacts, std::uint8_t* marks) noexcept;)
 // clang-format on
 
 } // namespace evil

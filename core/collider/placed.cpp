@@ -27,8 +27,9 @@ void note_body(Placements& placed, const Shapes& shapes, const Bodies& bodies, s
     bool dynamic = b.kind == BodyKind::dynamic, resting = b.kind == BodyKind::fixed || (dynamic && !b.awake);
     placed.bodies[p] = body;
     bool seeks = dynamic || shapes.pieces[p].sensor;
-    placed.kinds[p] = static_cast<std::uint8_t>(static_cast<unsigned>(shapes.form_kinds[p]) |
-                                                (resting ? kResting : 0u) | (seeks ? kSeeks : 0u));
+    placed.kinds[p] =
+        static_cast<std::uint8_t>(static_cast<unsigned>(shapes.form_kinds[p]) | (resting ? kResting : 0u) |
+                                  (seeks ? kSeeks : 0u) | (shapes.neighboured[p] != 0 ? kNeighboured : 0u));
 }
 
 } // namespace

@@ -36,8 +36,9 @@ struct Placements { // Scratch, by piece slot; rounded up to whole lanes
     std::vector<std::int32_t> octaves; // floor(log2) of the bounds' longer side; kNoOctave for slots without a piece
 };
 inline constexpr std::int32_t kNoOctave = -1000;
-inline constexpr std::uint8_t kResting = 0x80; // nothing moves the body; what does so by hand wakes what it touches
-inline constexpr std::uint8_t kSeeks = 0x40;   // of a dynamic body, or a sensor, which sees whatever comes
+inline constexpr std::uint8_t kResting = 0x80;     // nothing moves the body; what does so by hand wakes what it touches
+inline constexpr std::uint8_t kSeeks = 0x40;       // of a dynamic body, or a sensor, which sees whatever comes
+inline constexpr std::uint8_t kNeighboured = 0x20; // Shapes::neighboured
 inline constexpr std::uint8_t kFormKind = 0x0f;
 
 void place_pieces(Placements& placed, const Shapes& shapes, const Bodies& bodies, float dt, InstructionSet set,

@@ -123,14 +123,14 @@ void gather(Seams& seams, const Contacts& contacts, const Shapes& shapes, const 
     seams.movers.clear();
     seams.hidden.clear();
     seams.first.resize(shapes.pieces.size(), kNone);
-    for (std::uint32_t row = 0; row < contacts.rows.size(); ++row) {
+    for_each_marked(contacts.scratch.marks, kSeamed, [&](std::uint32_t row) {
         const Contact& c = contacts.rows[row];
         bool of_a = shapes.neighboured[c.piece_a] != 0, of_b = shapes.neighboured[c.piece_b] != 0;
-        if (c.sensor || (c.one_way && c.count == 0)) continue; // nothing solid: what is let through covers nothing
-        if (!(of_a || of_b)) continue; // those without points count too: what they cover, nobody can touch
+        if (c.sensor || (c.one_way && c.count == 0)) return; // nothing solid: what is let through covers nothing
+        // Those without points count too: what they cover, nobody can touch.
         if (of_b) add_side(seams, row, c.piece_a, bodies.rows[c.body_b], c.body_b, true);
         if (of_a) add_side(seams, row, c.piece_b, bodies.rows[c.body_a], c.body_a, false);
-    }
+    });
 }
 
 // One that gives way to another may itself be what a third gives way to; were all to go, the last would take its reason along.
@@ -160,7 +160,10 @@ void drop_ghosts(Seams& seams, Contacts& contacts, const Shapes& shapes, const B
         if (seams.sides[only].next != kNone) find_ghosts(seams, mover, contacts, shapes, bodies);
         seams.first[mover] = kNone;
     }
-    for (std::uint32_t row : seams.hidden) contacts.rows[row].count = 0;
+    for (std::uint32_t row : seams.hidden) {
+        contacts.rows[row].count = 0;
+        contacts.scratch.marks[row] = marks_of(contacts.rows[row]);
+    }
 }
 
 void note_neighbours(Shapes& shapes, const Body& body) {

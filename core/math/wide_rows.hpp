@@ -22,6 +22,18 @@ EVIL_INLINE void transpose(__m256 r[8], Floats field[8]) {
         field[i + 4].part[0] = _mm256_permute2f128_ps(r[i], r[i + 4], 0x31);
     }
 }
+
+// Back: row i in the lower half of r[i], row i + 4 in the upper one.
+EVIL_INLINE void interleave(const Floats field[4], __m256 r[4]) {
+    __m256 t0 = _mm256_unpacklo_ps(field[0].part[0], field[1].part[0]);
+    __m256 t1 = _mm256_unpackhi_ps(field[0].part[0], field[1].part[0]);
+    __m256 t2 = _mm256_unpacklo_ps(field[2].part[0], field[3].part[0]);
+    __m256 t3 = _mm256_unpackhi_ps(field[2].part[0], field[3].part[0]);
+    r[0] = _mm256_shuffle_ps(t0, t2, 0x44);
+    r[1] = _mm256_shuffle_ps(t0, t2, 0xee);
+    r[2] = _mm256_shuffle_ps(t1, t3, 0x44);
+    r[3] = _mm256_shuffle_ps(t1, t3, 0xee);
+}
 #endif
 
 // Rows of eight floats, 32 bytes each and aligned to that: row numbers[i] of the table becomes lane i of field[0..7].
@@ -39,37 +51,56 @@ EVIL_INLINE void load_rows(const float* table, const std::uint32_t* numbers, Flo
 #endif
 }
 
-// Eight floats from each of eight places that need no alignment: those at rows[i] become lane i of field[0..7].
-EVIL_INLINE void load_rows_at(const float* const* rows, Floats field[8]) {
+// Eight objects, and floats that lie so many bytes into each of them; they need no alignment.
+template <class T> EVIL_INLINE const float* floats_in(const T* object, std::size_t at) {
+    return reinterpret_cast<const float*>(reinterpret_cast<const char*>(object) + at);
+}
+template <class T> EVIL_INLINE float* floats_in(T* object, std::size_t at) {
+    return reinterpret_cast<float*>(reinterpret_cast<char*>(object) + at);
+}
+
+// Eight floats of objects[i] become lane i of field[0..7].
+template <class T> EVIL_INLINE void load_rows_at(const T* const* objects, std::size_t at, Floats field[8]) {
 #if EVIL_WIDTH == 8
     __m256 r[8];
-    for (int i = 0; i < 8; ++i) r[i] = _mm256_loadu_ps(rows[i]);
+    for (int i = 0; i < 8; ++i) r[i] = _mm256_loadu_ps(floats_in(objects[i], at));
     transpose(r, field);
 #else
     float lanes[8][kLanes];
     for (int i = 0; i < kLanes; ++i)
-        for (int k = 0; k < 8; ++k) lanes[k][i] = rows[i][k];
+        for (int k = 0; k < 8; ++k) lanes[k][i] = floats_in(objects[i], at)[k];
     for (int k = 0; k < 8; ++k) field[k] = load(lanes[k]);
 #endif
 }
 
-// Lane i of field[0..3] into the four floats at rows[i].
-EVIL_INLINE void store_half_rows_at(float* const* rows, const Floats field[4]) {
+// Lane i of field[0..3] into four floats of objects[i].
+template <class T> EVIL_INLINE void store_half_rows_at(T* const* objects, std::size_t at, const Floats field[4]) {
+#if EVIL_WIDTH == 8
+    __m256 r[4];
+    interleave(field, r);
+    for (int i = 0; i < 4; ++i) {
+        _mm_storeu_ps(floats_in(objects[i], at), _mm256_castps256_ps128(r[i]));
+        _mm_storeu_ps(floats_in(objects[i + 4], at), _mm256_extractf128_ps(r[i], 1));
+    }
+#else
     float lanes[4][kLanes];
     for (int k = 0; k < 4; ++k) store(lanes[k], field[k]);
     for (int i = 0; i < kLanes; ++i)
-        for (int k = 0; k < 4; ++k) rows[i][k] = lanes[k][i];
+        for (int k = 0; k < 4; ++k) floats_in(objects[i], at)[k] = lanes[k][i];
+#endif
+}
+
+// Lane i of field[0..7] into eight floats of objects[i].
+template <class T> EVIL_INLINE void store_rows_at(T* const* objects, std::size_t at, const Floats field[8]) {
+    store_half_rows_at(objects, at, field);
+    store_half_rows_at(objects, at + 16, field + 4);
 }
 
 // Lane i of field[0..3] into the first four floats of row numbers[i]. Rows that come twice take the later lane.
 EVIL_INLINE void store_half_rows(float* table, const std::uint32_t* numbers, const Floats field[4]) {
 #if EVIL_WIDTH == 8
-    __m256 t0 = _mm256_unpacklo_ps(field[0].part[0], field[1].part[0]),
-           t1 = _mm256_unpackhi_ps(field[0].part[0], field[1].part[0]);
-    __m256 t2 = _mm256_unpacklo_ps(field[2].part[0], field[3].part[0]),
-           t3 = _mm256_unpackhi_ps(field[2].part[0], field[3].part[0]);
-    __m256 r[4] = {_mm256_shuffle_ps(t0, t2, 0x44), _mm256_shuffle_ps(t0, t2, 0xee), _mm256_shuffle_ps(t1, t3, 0x44),
-                   _mm256_shuffle_ps(t1, t3, 0xee)};
+    __m256 r[4];
+    interleave(field, r);
     for (int i = 0; i < 4; ++i)
         _mm_store_ps(table + 8 * static_cast<std::size_t>(numbers[i]), _mm256_castps256_ps128(r[i]));
     for (int i = 0; i < 4; ++i)

@@ -4,7 +4,6 @@
 namespace evil {
 namespace {
 
-constexpr float kDeep = 0.02f;    // metres; what less overlap does to a body is not worth a look
 constexpr float kBuried = 0.35f;  // of the way from a contact to the centre; a light box under a heavy one gives 0.1
 constexpr std::size_t kCrowd = 3; // deep contacts; with fewer it is a hit, whose momentum counts
 constexpr float kCalm = 3.0f;     // m/s: as fast as one contact pushes overlap out (kPushSpeed)
@@ -19,13 +18,12 @@ bool is_deep(const ManifoldPoint& p, Vec2 arm) {
 void find_buried(Buried& buried, const Contacts& contacts, const Bodies& bodies) {
     buried.slots.clear();
     buried.rows.clear();
-    for (const Contact& c : contacts.rows) {
-        if (c.count == 0) continue;
+    for_each_marked(contacts.scratch.marks, kDeep, [&](std::uint32_t row) {
+        const Contact& c = contacts.rows[row];
         const ManifoldPoint& p = c.points[c.count > 1 && c.points[1].separation < c.points[0].separation];
-        if (p.separation > -kDeep) continue;
         if (is_deep(p, p.anchor_a)) buried.slots.push_back(c.body_a);
         if (is_deep(p, p.anchor_b)) buried.slots.push_back(c.body_b);
-    }
+    });
     if (buried.slots.size() < kCrowd) return;
     std::ranges::sort(buried.slots);
     for (std::size_t i = 0, end = 0; i < buried.slots.size(); i = end) {

@@ -29,8 +29,8 @@ void colour(Colouring& c, const std::vector<Edge>& edges, std::uint32_t bodies, 
     c.places.resize(edges.size());
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const Edge& e = edges[i];
-        std::uint32_t colour = e.wall ? take_lowest(c.used_walls[e.a], c.used_walls[e.a], kWalls, kWallOverflow)
-                                      : take_lowest(c.used_between[e.a], c.used_between[e.b], 0, kOverflow);
+        std::uint32_t colour = e.wall() ? take_lowest(c.used_walls[e.a], c.used_walls[e.a], kWalls, kWallOverflow)
+                                        : take_lowest(c.used_between[e.a], c.used_between[e.b], 0, kOverflow);
         c.colour[i] = static_cast<std::uint8_t>(colour);
         ++c.counts[colour];
     }

@@ -11,11 +11,13 @@ namespace evil {
 
 inline constexpr std::uint32_t kColours = 64; // of each sort; contacts beyond go one to a block
 
-struct Edge { // a contact by its solver bodies; `wall`: only a moves
+struct Edge { // a contact by its solver bodies
     std::uint32_t a, b;
-    bool wall;
-    bool turn = false;         // the contact's own a and b have changed places
+    std::uint32_t sort = 0;
     std::uint32_t contact = 0; // row that it comes from
+    static constexpr std::uint32_t kWall = 1, kTurn = 2;
+    bool wall() const { return (sort & kWall) != 0; } // only a moves
+    bool turn() const { return (sort & kTurn) != 0; } // the contact's own a and b have changed places
     friend bool operator==(const Edge&, const Edge&) = default;
 };
 

@@ -45,6 +45,7 @@ struct alignas(32) ContactBlock {
 struct alignas(32) BlockSource {
     std::uint32_t contact[8];  // rows of contacts; kNone in lanes without one, which come last
     std::uint32_t turn[8];     // all ones: the contact's own a is the block's b
+    std::uint32_t known[8];    // four bytes of the contact: count, fresh, touching, struck
     float closing_speed[2][8]; // before the step; negative: they part
 };
 

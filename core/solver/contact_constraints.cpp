@@ -22,28 +22,37 @@ Vec2 acceleration_of(const Bodies& bodies, std::uint32_t slot) {
     return b.kind == BodyKind::dynamic ? b.acceleration : Vec2{};
 }
 
-// Which contacts are solved, and by whom. The same list as in the last step needs no new colours.
-bool find_edges(Solver& solver, const Bodies& bodies, const Contacts& contacts, float dt) {
-    std::swap(solver.edges, solver.last_edges);
-    solver.edges.clear();
+// A contact that bounces, and how much faster the bodies close in for what forces have done to them in a step.
+Bounce bounce_of(const Contact& c, const Bodies& bodies, std::size_t edge, float dt) {
+    Vec2 gained = acceleration_of(bodies, c.body_b) - acceleration_of(bodies, c.body_a);
+    return {static_cast<std::uint32_t>(edge), c.restitution, std::max(0.0f, -dt * dot(gained, c.normal))};
+}
+
+// Which contacts are solved, and by whom. The same list as in the last step needs no new colours: it is compared as it is
+// written.
+bool find_edges(Solver& solver, const Bodies& bodies, Contacts& contacts, float dt) {
+    auto& s = contacts.scratch;
+    bool same = true;
+    std::size_t count = 0;
     solver.bounces.clear();
-    for (std::uint32_t row = 0; row < contacts.rows.size(); ++row) {
-        const Contact& c = contacts.rows[row];
-        if (c.count == 0) continue;
-        std::uint32_t a = solver.number_of[c.body_a], b = solver.number_of[c.body_b];
-        if (a == 0 && b == 0) continue;
-        bool a_moves = solver.bodies[a].inv_mass > 0.0f, b_moves = solver.bodies[b].inv_mass > 0.0f;
-        if (!a_moves && !b_moves) continue;
-        bool turn = a_moves && !b_moves;
-        if (c.restitution > 0.0f) {
-            Vec2 gained = acceleration_of(bodies, c.body_b) - acceleration_of(bodies, c.body_a);
-            float speed = std::max(0.0f, -dt * dot(gained, c.normal));
-            solver.bounces.push_back({static_cast<std::uint32_t>(solver.edges.size()), c.restitution, speed});
+    for_each_marked(s.marks, kMeets, [&](std::uint32_t row) {
+        auto [body_a, body_b] = s.bodies[row];
+        std::uint32_t a = solver.number_of[body_a], b = solver.number_of[body_b];
+        bool a_moves = solver.pushed[a] != 0, b_moves = solver.pushed[b] != 0;
+        if (!a_moves && !b_moves) {
+            s.marks[row] |= kTelling; // the solver will not say whether anything has changed
+            return;
         }
-        bool wall = !(a_moves && b_moves);
-        solver.edges.push_back({wall && b_moves ? b : a, wall && b_moves ? a : b, wall, turn, row});
-    }
-    return solver.edges != solver.last_edges;
+        if (s.marks[row] & kBounces) solver.bounces.push_back(bounce_of(contacts.rows[row], bodies, count, dt));
+        std::uint32_t sort = a_moves && b_moves ? 0u : a_moves ? Edge::kWall | Edge::kTurn : Edge::kWall;
+        Edge edge{a_moves ? a : b, a_moves ? b : a, sort, row};
+        if (count == solver.edges.size()) solver.edges.push_back(edge), same = false;
+        if (!(solver.edges[count] == edge)) solver.edges[count] = edge, same = false;
+        ++count;
+    });
+    same &= solver.edges.size() == count;
+    solver.edges.resize(count);
+    return !same;
 }
 
 void place_edges(Solver& solver) {
@@ -61,10 +70,10 @@ void place_edges(Solver& solver) {
     for (std::size_t i = 0; i < solver.edges.size(); ++i) {
         const Edge& e = solver.edges[i];
         auto [block, lane] = colouring.places[i];
-        solver.blocks[block].a[lane] = e.wall ? e.b : e.a; // what does not move
-        solver.blocks[block].b[lane] = e.wall ? e.a : e.b;
+        solver.blocks[block].a[lane] = e.wall() ? e.b : e.a; // what does not move
+        solver.blocks[block].b[lane] = e.wall() ? e.a : e.b;
         solver.sources[block].contact[lane] = e.contact;
-        solver.sources[block].turn[lane] = e.turn ? ~0u : 0u;
+        solver.sources[block].turn[lane] = e.turn() ? ~0u : 0u;
     }
 }
 
@@ -75,7 +84,7 @@ ContactSoftnesses softness_of(StepSize step) {
     return {soft(hertz, h), soft(2.0f * hertz, h)}; // what cannot give way is pushed out of faster
 }
 
-void prepare_contacts(Solver& solver, const Bodies& bodies, const Contacts& contacts, StepSize step, Threads& threads) {
+void prepare_contacts(Solver& solver, const Bodies& bodies, Contacts& contacts, StepSize step, Threads& threads) {
     if (find_edges(solver, bodies, contacts, step.dt)) place_edges(solver);
     parallel_for(threads, solver.blocks.size(), 32, [&](std::size_t first, std::size_t last) {
         EVIL_PICK(step.set, fill_blocks)
@@ -86,7 +95,8 @@ void prepare_contacts(Solver& solver, const Bodies& bodies, const Contacts& cont
 void finish_contacts(Solver& solver, Contacts& contacts, StepSize step, Threads& threads) {
     parallel_for(threads, solver.blocks.size(), 32, [&](std::size_t first, std::size_t last) {
         EVIL_PICK(step.set, store_impulses)
-        (&solver.blocks[first], &solver.sources[first], contacts.rows.data(), last - first);
+        (&solver.blocks[first], &solver.sources[first], contacts.rows.data(), contacts.scratch.marks.data(),
+         last - first, step.hit_speed);
     });
 }
 

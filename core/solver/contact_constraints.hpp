@@ -9,7 +9,7 @@ struct ContactSoftnesses {
 };
 ContactSoftnesses softness_of(StepSize step);
 
-void prepare_contacts(Solver& solver, const Bodies& bodies, const Contacts& contacts, StepSize step, Threads& threads);
+void prepare_contacts(Solver& solver, const Bodies& bodies, Contacts& contacts, StepSize step, Threads& threads);
 void apply_restitution(Solver& solver, const Contacts& contacts, StepSize step);
 void finish_contacts(Solver& solver, Contacts& contacts, StepSize step, Threads& threads);
 

@@ -19,10 +19,6 @@ EVIL_INLINE Floats inverse(Floats k) {
     return select(k > zero, one / select(k > zero, k, one), zero);
 }
 
-// A contact's floats from `normal` on and those of its points, each read as eight in a row.
-static_assert(offsetof(Contact, friction) == offsetof(Contact, normal) + 8);
-static_assert(offsetof(ManifoldPoint, anchor_b) == 8 && offsetof(ManifoldPoint, separation) == 16);
-static_assert(offsetof(ManifoldPoint, normal_impulse) == 20 && offsetof(ManifoldPoint, closing_speed) == 32);
 constexpr Contact kNoContact{};
 
 struct Frame {
@@ -40,14 +36,14 @@ EVIL_INLINE Floats effective_mass(const Sides& s, Floats across_a, Floats across
     return inverse((s.a[3] + s.b[3]) + (s.a[7] * (across_a * across_a) + s.b[7] * (across_b * across_b)));
 }
 
-EVIL_INLINE void fill_point(ContactBlock& k, BlockSource& from, int point, const Contact* const* contacts,
-                            const Frame& frame, const Sides& s, Mask turned, Mask there) {
-    const float* rows[8];
-    for (int i = 0; i < 8; ++i) rows[i] = &contacts[i]->points[point].anchor_a.x;
-    Floats p[8]; // anchor_a, anchor_b, separation, normal, tangent and total impulse
-    load_rows_at(rows, p);
-    Floats ax = select(turned, p[2], p[0]), ay = select(turned, p[3], p[1]);
-    Floats bx = select(turned, p[0], p[2]), by = select(turned, p[1], p[3]);
+struct Point { // of a manifold, as its row has it
+    Floats anchor_ax, anchor_ay, anchor_bx, anchor_by, separation, normal_impulse, tangent_impulse;
+};
+
+EVIL_INLINE void fill_point(ContactBlock& k, BlockSource& from, int point, const Point& p, const Frame& frame,
+                            const Sides& s, Mask turned, Mask there) {
+    Floats ax = select(turned, p.anchor_bx, p.anchor_ax), ay = select(turned, p.anchor_by, p.anchor_ay);
+    Floats bx = select(turned, p.anchor_ax, p.anchor_bx), by = select(turned, p.anchor_ay, p.anchor_by);
     Floats an = frame.n(ax, ay), at = frame.t(ax, ay), bn = frame.n(bx, by), bt = frame.t(bx, by), zero = 0.0f;
     store(k.arm_n[point], bn);
     store(k.arm_t[point], bt);
@@ -56,62 +52,95 @@ EVIL_INLINE void fill_point(ContactBlock& k, BlockSource& from, int point, const
         store(k.apart_t, bt - at);
         Floats small = 1e-3f; // of an arm: it leads along the normal, so each is a disc about its body's centre
         Mask discs = (bn < zero) & (zero < an) & (abs(at) <= small * an) & (abs(bt) <= -small * bn);
-        discs = discs & (load(k.lag) == Floats(0.5f)) & (p[4] < 0.5f * (an - bn));
-        store(k.lag, select(discs, Floats(-1.0f) / select(discs, (an - bn) - p[4], Floats(1.0f)), load(k.lag)));
+        discs = discs & (load(k.lag) == Floats(0.5f)) & (p.separation < 0.5f * (an - bn));
+        store(k.lag, select(discs, Floats(-1.0f) / select(discs, (an - bn) - p.separation, Floats(1.0f)), load(k.lag)));
     }
-    store(k.gap[point], select(there, p[4], zero));
+    store(k.gap[point], select(there, p.separation, zero));
     store(k.normal_mass[point], select(there, effective_mass(s, at, bt), zero));
     store(k.tangent_mass[point], select(there, effective_mass(s, an, bn), zero));
-    store(k.normal_impulse[point], select(there, p[5], zero));
-    store(k.tangent_impulse[point], select(there, p[6], zero));
+    store(k.normal_impulse[point], select(there, p.normal_impulse, zero));
+    store(k.tangent_impulse[point], select(there, p.tangent_impulse, zero));
     store(k.total_impulse[point], zero);
     Floats parting = frame.n(s.b[0] - s.a[0], s.b[1] - s.a[1]) + (s.b[2] * bt - s.a[2] * at);
     store(from.closing_speed[point], select(there, -parting, zero));
 }
 
+// What a byte of each lane says.
+EVIL_INLINE Mask is_set(Ints word, int byte) { return Ints(0) < (word & (127 << (8 * byte))); }
+
 // The contact point goes along with the body whose corner it is, which is not the one whose face was the reference; halfway
 // where nobody knows, and with the one that moves at a wall.
-EVIL_INLINE float lag_of(const Contact& c, const ContactBlock& k, int lane) {
-    if (k.a[lane] == 0) return 0.0f;
-    return !c.axis.known ? 0.5f : c.axis.of_b ? 1.0f : 0.0f;
+EVIL_INLINE Floats lag_of(Ints axis, Mask wall) {
+    Floats lag = select(is_set(axis, 2), Floats(1.0f), Floats(0.0f));
+    return select(wall, Floats(0.0f), select(is_set(axis, 3), lag, Floats(0.5f)));
+}
+
+// The rows of a block lie apart from each other, so the memory is told of them some blocks ahead.
+constexpr std::size_t kAhead = 4;
+
+EVIL_INLINE void foretell(const Contact* contacts, const BlockSource& from) {
+    for (std::uint32_t contact : from.contact) {
+        if (contact == kNone) continue;
+        const char* row = reinterpret_cast<const char*>(contacts + contact);
+        __builtin_prefetch(row + ContactRows::kHead);
+        __builtin_prefetch(row + ContactRows::kHead + 64);
+        __builtin_prefetch(row + sizeof(Contact) - 1);
+    }
 }
 
 EVIL_INLINE void fill_block(const SolverBody* bodies, const Contact* contacts, ContactBlock& k, BlockSource& from) {
     const Contact* each[8];
-    const float* heads[8];
-    std::int32_t points[8];
-    float lag[8];
-    for (int i = 0; i < 8; ++i) {
-        each[i] = from.contact[i] == kNone ? &kNoContact : contacts + from.contact[i];
-        heads[i] = &each[i]->normal.x;
-        points[i] = each[i]->count;
-        lag[i] = lag_of(*each[i], k, i);
-        k.surface_speed[i] = each[i]->surface_speed;
-    }
-    Floats head[8]; // normal, friction, and what is not asked for here
+    for (int i = 0; i < 8; ++i) each[i] = from.contact[i] == kNone ? &kNoContact : contacts + from.contact[i];
+    Floats head[8], p[8], q[8]; // axis, count ..., normal, friction; surface speed and the first point; the second
     Sides s;
-    load_rows_at(heads, head);
+    load_rows_at(each, ContactRows::kHead, head);
+    load_rows_at(each, ContactRows::kFirst, p);
+    load_rows_at(each, ContactRows::kSecond, q);
     load_rows(&bodies->vx, k.a, s.a);
     load_rows(&bodies->vx, k.b, s.b);
+    Ints known = float_to_bits(head[1]), count = known & 255;
     Mask turned = load(from.turn) < Ints(0), wall = s.a[3] == Floats(0.0f);
-    Frame frame{select(turned, -head[0], head[0]), select(turned, -head[1], head[1])};
+    Frame frame{select(turned, -head[4], head[4]), select(turned, -head[5], head[5])};
+    store(from.known, known);
     store(k.nx, frame.nx);
     store(k.ny, frame.ny);
-    store(k.friction, head[2]);
-    store(k.lag, select(wall, Floats(0.0f), load(lag)));
-    fill_point(k, from, 0, each, frame, s, turned, Ints(0) < load(points));
-    fill_point(k, from, 1, each, frame, s, turned, Ints(1) < load(points));
+    store(k.friction, head[6]);
+    store(k.surface_speed, p[0]);
+    store(k.lag, lag_of(float_to_bits(head[0]), wall));
+    fill_point(k, from, 0, {p[1], p[2], p[3], p[4], p[5], p[6], p[7]}, frame, s, turned, Ints(0) < count);
+    fill_point(k, from, 1, {q[0], q[1], q[2], q[3], q[4], q[5], q[6]}, frame, s, turned, Ints(1) < count);
 }
 
-EVIL_INLINE void store_point(const ContactBlock& k, const BlockSource& from, int point, Contact* contacts) {
-    float nowhere[8][4];
-    float* rows[8];
-    for (int i = 0; i < 8; ++i)
-        rows[i] = from.contact[i] == kNone ? nowhere[i] : &contacts[from.contact[i]].points[point].normal_impulse;
+struct Told { // what events ask (collider/events.cpp)
+    Mask touching, struck;
+};
+
+EVIL_INLINE void store_point(const ContactBlock& k, const BlockSource& from, int point, Contact* const* rows,
+                             Mask there, Floats near, Floats hit_speed, Told& told) {
     Floats most = kMaxForce;
     Floats field[4] = {within(load(k.normal_impulse[point]), most), within(load(k.tangent_impulse[point]), most),
                        within(load(k.total_impulse[point]), most), within(load(from.closing_speed[point]), most)};
-    store_half_rows_at(rows, field);
+    store_half_rows_at(rows, ContactRows::kImpulses[point], field);
+    Mask pushed = field[2] > Floats(0.0f);
+    told.touching = told.touching | (there & (pushed | (load(k.gap[point]) <= near)));
+    told.struck = told.struck | (there & pushed & (field[3] > hit_speed));
+}
+
+EVIL_INLINE void store_block(const ContactBlock& k, const BlockSource& from, Contact* contacts, std::uint8_t* marks,
+                             Floats hit_speed) {
+    Ints known = load(from.known);
+    Mask touched = is_set(known, 2), struck = is_set(known, 3);
+    Floats near = select(touched, Floats(kSlop), Floats(0.0f));
+    Told told{first_lanes(0), first_lanes(0)};
+    alignas(Contact) std::byte nowhere[sizeof(Contact)]; // is only written
+    Contact* rows[8];
+    for (int i = 0; i < 8; ++i)
+        rows[i] = from.contact[i] == kNone ? reinterpret_cast<Contact*>(nowhere) : contacts + from.contact[i];
+    store_point(k, from, 0, rows, Ints(0) < (known & 255), near, hit_speed, told);
+    store_point(k, from, 1, rows, Ints(1) < (known & 255), near, hit_speed, told);
+    unsigned changed = (bits(told.touching) ^ bits(touched)) | (bits(told.struck) ^ bits(struck));
+    for (int i = 0; changed != 0; changed >>= 1, ++i)
+        if (changed & 1u) marks[from.contact[i]] |= kTelling;
 }
 
 } // namespace
@@ -138,15 +167,15 @@ void move_bodies(SolverBody* bodies, std::size_t count, float h) noexcept {
 
 void fill_blocks(const SolverBody* bodies, const Contact* contacts, ContactBlock* blocks, BlockSource* sources,
                  std::size_t count) noexcept {
-    for (std::size_t i = 0; i < count; ++i) fill_block(bodies, contacts, blocks[i], sources[i]);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i + kAhead < count) foretell(contacts, sources[i + kAhead]);
+        fill_block(bodies, contacts, blocks[i], sources[i]);
+    }
 }
 
-void store_impulses(const ContactBlock* blocks, const BlockSource* sources, Contact* contacts,
-                    std::size_t count) noexcept {
-    for (std::size_t i = 0; i < count; ++i) {
-        store_point(blocks[i], sources[i], 0, contacts);
-        store_point(blocks[i], sources[i], 1, contacts);
-    }
+void store_impulses(const ContactBlock* blocks, const BlockSource* sources, Contact* contacts, std::uint8_t* marks,
+                    std::size_t count, float hit_speed) noexcept {
+    for (std::size_t i = 0; i < count; ++i) store_block(blocks[i], sources[i], contacts, marks, hit_speed);
 }
 
 } // namespace evil::EVIL_ISA

@@ -30,6 +30,7 @@ void number_bodies(Solver& solver, Bodies& bodies) {
     solver.bodies.resize(count);
     solver.bodies[0] = {};
     solver.force_steps.resize(count);
+    solver.pushed.assign(count, 0);
     solver.paths.resize(count - 1);
 }
 
@@ -76,6 +77,7 @@ void fill_bodies(Solver& solver, Bodies& bodies, const Forces& forces, Vec2 grav
         Body& b = bodies.rows[slot];
         path = {slot, b.centre, b.angle};
         solver.bodies[i] = {b.velocity.x, b.velocity.y, b.spin, b.inv_mass, 0, 0, 0, b.inv_inertia};
+        solver.pushed[i] = b.inv_mass > 0.0f;
         if (!asked) find_force_step(solver.force_steps[i], b, {}, gravity, h);
     });
 }

@@ -27,7 +27,8 @@ struct Solver { // Scratch
     std::vector<std::uint32_t> body_slots; // of each solver body; [0] unused
     std::vector<Path> paths;               // of each solver body but [0], which stands still
     std::vector<std::uint32_t> number_of;  // by body slot
-    std::vector<Edge> edges, last_edges;   // of each contact that is solved
+    std::vector<std::uint8_t> pushed;      // of each solver body: have contacts any effect on it?
+    std::vector<Edge> edges;               // of each contact that is solved
     std::vector<Bounce> bounces;           // of those with restitution
     Colouring colouring;                   // of the edges
     std::vector<ContactBlock> blocks;
@@ -44,6 +45,7 @@ struct StepSize {
     float dt; // seconds, the whole step
     int substeps;
     InstructionSet set; // which kernels; the bits are the same with any
+    float hit_speed;    // m/s: contacts that close faster are told of (collider/events.hpp)
     float h() const { return dt / static_cast<float>(substeps); }
 };
 

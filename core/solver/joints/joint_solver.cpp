@@ -171,7 +171,7 @@ void fill_blocks(Solver& solver, const Bodies& bodies, const Joints& joints, std
     js.edges.clear();
     for (const SolvedJoint& s : list) {
         bool a_moves = solver.bodies[s.a].inv_mass > 0.0f, b_moves = solver.bodies[s.b].inv_mass > 0.0f;
-        js.edges.push_back({a_moves ? s.a : s.b, s.b, !(a_moves && b_moves)});
+        js.edges.push_back({a_moves ? s.a : s.b, s.b, a_moves && b_moves ? 0 : Edge::kWall});
     }
     colour(js.colouring, js.edges, static_cast<std::uint32_t>(solver.bodies.size()), kBlockLanes);
     blocks.assign(js.colouring.blocks, Block{});
