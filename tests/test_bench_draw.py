@@ -7,14 +7,16 @@ from pathlib import Path
 
 import pytest
 
-from evilengine.bench.drawing import crowd
+from evilengine.bench.crowd import crowd
 from evilengine.cli import main
 
 
 def test_the_numbers_of_a_small_crowd_are_there(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = tmp_path / "numbers.json"
     assert main(["bench", "draw", "--size", "20", "--steps", "2", "--peer", "none", "--json", str(file)]) == 0
-    rows = json.loads(file.read_text())["draw"]
+    numbers = json.loads(file.read_text())
+    rows = numbers["draw"]
+    assert all(0 < seconds < 60 for seconds in numbers["first_frame"].values())
     assert [row["scene"] for row in rows] == ["turning", "straight"]
     assert all(row["engines"]["evil soft"]["min"] > 0 and row["before_the_driver"] > 0 for row in rows)
     assert "evil soft" in capsys.readouterr().out

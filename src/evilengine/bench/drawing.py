@@ -2,66 +2,39 @@
 
 from __future__ import annotations
 
-import importlib
-import os
-import random
+import subprocess
+import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple, Protocol
+from typing import Any, Protocol
 
 from evilengine import _core
+from evilengine.bench.crowd import METRE, SIDE, SIZE, Sprite, crowd, picture
+from evilengine.bench.drawing_peers import PEERS
 from evilengine.bench.timing import Times, take_turns
 from evilengine.scene.drawn_body import DrawnBody
 from evilengine.values.errors import DeviceError
-from evilengine.values.image import Image
 from evilengine.values.tick import STEP
 from evilengine.world.shapes import Particle, Rectangle
 
 Tell = Callable[[str], None]
 Numbers = dict[str, Any]
 
-SIZE = (1280, 720)
-SIDE = 32  # pixels of a sprite
-METRE = 50.0  # pixels
 COUNTS = (5_000, 20_000)
 
 
-class Sprite(NamedTuple):
-    """Where it begins, in pixels from the lower left, and how it goes: pixels and radians a second."""
-
-    x: float
-    y: float
-    vx: float
-    vy: float
-    spin: float
-
-
-def crowd(count: int, *, turning: bool) -> list[Sprite]:
-    """The same sprites for everybody."""
-    dice = random.Random(count)
-    return [
-        Sprite(
-            dice.uniform(0, SIZE[0]),
-            dice.uniform(0, SIZE[1]),
-            dice.uniform(-60, 60),
-            dice.uniform(-60, 60),
-            dice.uniform(-3, 3) if turning else 0.0,
-        )
-        for _ in range(count)
-    ]
-
-
-def picture() -> Image:
-    """What all of them show: a disc with soft edges on nothing."""
-    middle = (SIDE - 1) / 2
-    pixels = bytearray()
-    for y in range(SIDE):
-        for x in range(SIDE):
-            away = ((x - middle) ** 2 + (y - middle) ** 2) ** 0.5
-            pixels += bytes((255 - 6 * y, 120 + 4 * x, 90, max(0, min(255, round(255 * (middle - away))))))
-    return Image.of(SIDE, SIDE, pixels)
+FIRST_FRAME = """
+import sys, time
+from pathlib import Path
+import evilengine, evilengine.examples
+game = evilengine.Game(headless=True, renderer=sys.argv[1])
+game.load(Path(evilengine.examples.__file__).parent / "prototype1.evil")
+game.step()
+game.capture()
+print(time.time())
+"""
 
 
 class Painter(Protocol):
@@ -120,86 +93,6 @@ class Ours:
         return 1e3 * least
 
 
-class Pygame:
-    """pygame-ce: `Surface.fblits` on the processor. It turns nothing: turned pictures would be made one by one."""
-
-    name = "pygame-ce"
-
-    def __init__(self, sprites: Sequence[Sprite], file: Path) -> None:
-        os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
-        self._pygame: Any = importlib.import_module("pygame")
-        self._target = self._pygame.Surface(SIZE)
-        self._picture = self._pygame.image.load(str(file))
-        self._places = [[each.x, each.y, each.vx, each.vy] for each in sprites]
-
-    def prepare(self) -> None: ...
-
-    def step(self) -> None:
-        for place in self._places:
-            place[0] += place[2] * STEP
-            place[1] += place[3] * STEP
-        self._target.fill((28, 33, 48))
-        self._target.fblits([(self._picture, (place[0], place[1])) for place in self._places])
-
-
-class Arcade:
-    """arcade: a SpriteList, without a window."""
-
-    name = "arcade"
-
-    def __init__(self, sprites: Sequence[Sprite], file: Path) -> None:
-        os.environ["ARCADE_HEADLESS"] = "True"
-        arcade: Any = importlib.import_module("arcade")
-        self._window = arcade.open_window(*SIZE, "bench")
-        self._list = arcade.SpriteList()
-        texture = arcade.load_texture(str(file))
-        for each in sprites:
-            sprite = arcade.Sprite(texture, center_x=each.x, center_y=each.y)
-            sprite.change_x, sprite.change_y, sprite.change_angle = each.vx * STEP, each.vy * STEP, each.spin
-            self._list.append(sprite)
-
-    def prepare(self) -> None:
-        self._window.switch_to()
-        self._window.ctx.screen.use(force=True)
-
-    def step(self) -> None:
-        self._list.update()
-        self._window.clear()
-        self._list.draw()
-        self._window.ctx.finish()
-
-
-class Pyglet:
-    """pyglet: a Batch of sprites, without a window."""
-
-    name = "pyglet"
-
-    def __init__(self, sprites: Sequence[Sprite], file: Path) -> None:
-        pyglet: Any = importlib.import_module("pyglet")
-        pyglet.options["headless"] = True
-        self._gl: Any = importlib.import_module("pyglet.gl")
-        self._window = importlib.import_module("pyglet.window").Window(*SIZE)
-        image = importlib.import_module("pyglet.image").load(str(file))
-        graphics = importlib.import_module("pyglet.graphics")
-        sprite: Any = importlib.import_module("pyglet.sprite").Sprite
-        self._batch = graphics.Batch()
-        self._sprites = [(sprite(image, each.x, each.y, batch=self._batch), each) for each in sprites]
-
-    def prepare(self) -> None:
-        self._window.switch_to()
-
-    def step(self) -> None:
-        for sprite, each in self._sprites:
-            turned = sprite.rotation + each.spin
-            sprite.update(x=sprite.x + each.vx * STEP, y=sprite.y + each.vy * STEP, rotation=turned)
-        self._window.clear()
-        self._batch.draw()
-        self._gl.glFinish()
-
-
-PEERS: dict[str, Any] = {each.name: each for each in (Pygame, Arcade, Pyglet)}
-"""Who draws the same beside us: `pip install 'evilengine[bench-draw]'` brings them."""
-
 SCENES = {"turning": True, "straight": False}
 """Sprites that turn, and such as do not, which alone blitters can be compared with."""
 
@@ -216,11 +109,19 @@ def measure(
             for count in counts:
                 tell(f"{count} {scene} sprites")
                 sprites = crowd(count, turning=turning)
-                painters, without = _painters(sprites, file, [one for one in peers if turning or one == "pygame-ce"])
+                painters, without = _painters(sprites, file, [one for one in peers if PEERS[one].turns == turning])
                 missing |= dict.fromkeys(without)
                 before = painters[0].before_the_driver(frames)
                 times = take_turns(painters, frames, 2, turn=2, patience=patience)
-                rows.append({"scene": scene, "sprites": count, "before_the_driver": before, "engines": _figures(times)})
+                rows.append(
+                    {
+                        "scene": scene,
+                        "sprites": count,
+                        "before_the_driver": before,
+                        "engines": _figures(times),
+                        "ratios": _ratios(times),
+                    }
+                )
     return rows, list(missing)
 
 
@@ -239,6 +140,21 @@ def _painters(sprites: Sequence[Sprite], file: Path, peers: Iterable[str]) -> tu
 
 def _figures(times: dict[str, Times]) -> Numbers:
     return {name: {"min": one.least, "median": one.median} for name, one in times.items()}
+
+
+def _ratios(times: dict[str, Times]) -> Numbers:
+    """Our times as parts of the others', by rounds that ran side by side."""
+    ours = [name for name in times if name not in PEERS]
+    return {f"{name} / {peer}": times[name].ratio(times[peer]) for name in ours for peer in times if peer in PEERS}
+
+
+def first_frame(renderer: str) -> float:
+    """Seconds from the start of a process until it has drawn the first frame of a level."""
+    start = time.time()
+    done = subprocess.run([sys.executable, "-c", FIRST_FRAME, renderer], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise DeviceError(f"{renderer}: {done.stderr.strip().splitlines()[-1]}")
+    return float(done.stdout) - start
 
 
 def table_of(rows: Sequence[Numbers]) -> str:

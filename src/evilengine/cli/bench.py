@@ -86,22 +86,26 @@ def run(args: argparse.Namespace) -> int:
 
 def _draw(args: argparse.Namespace) -> int:
     from evilengine.bench import drawing
+    from evilengine.bench.crowd import SIZE
+    from evilengine.bench.drawing_peers import PEERS
     from evilengine.values.checks import one_of
 
-    names = (
-        []
-        if args.peer == ["none"]
-        else [one_of(name, "bench", "--peer", drawing.PEERS) for name in args.peer or drawing.PEERS]
-    )
+    names = [] if args.peer == ["none"] else [one_of(name, "bench", "--peer", PEERS) for name in args.peer or PEERS]
     counts = drawing.COUNTS if args.size is None else (args.size,)
     rows, missing = drawing.measure(counts, args.steps or 20, names, args.patience, tell)
-    print(f"ms a frame of {drawing.SIZE[0]} x {drawing.SIZE[1]}, least\n{drawing.table_of(rows)}")
+    print(f"ms a frame of {SIZE[0]} x {SIZE[1]}, least\n{drawing.table_of(rows)}")
+    for row in rows:
+        for pair, ratio in row["ratios"].items():
+            print(f"{row['sprites']} {row['scene']}: {pair} {ratio:.2f}")
+    tell("the first frame")
+    first = {renderer: min(drawing.first_frame(renderer) for _ in range(3)) for renderer in ("soft", "gl")}
+    said = ", ".join(f"{name} {seconds:.2f}" for name, seconds in first.items())
+    print(f"seconds from a process's start to a level's first frame: {said}")
     if missing:
         print(f"left out: {'; '.join(missing)}")
     if args.json:
-        Path(args.json).write_text(
-            json.dumps({"machine": _machine(), "draw": rows, "left_out": missing}, indent=1) + "\n"
-        )
+        numbers = {"machine": _machine(), "draw": rows, "first_frame": first, "left_out": missing}
+        Path(args.json).write_text(json.dumps(numbers, indent=1) + "\n")
     return 0
 
 
