@@ -2,6 +2,7 @@
 #include "bind/buffer.hpp"
 #include "bind/fluid.hpp"
 #include "fluid/sampling.hpp"
+#include "fluid/scratch.hpp"
 #include "fluid/sources.hpp"
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/tuple.h>
@@ -144,11 +145,12 @@ void bind_gas(nb::class_<SmokeHandle>& c) {
 }
 
 std::uint32_t make(World& world, int nx, int ny, Pair low, float h, int method, int quality, std::array<bool, 4> open,
-                   std::array<float, 4> side_speeds, Three colour) {
+                   std::array<float, 4> side_speeds, bool stick, Three colour) {
     std::unique_ptr<fluid::Smoke> smoke = fluid::make_smoke(
         fluid::grid_of(nx, ny, {std::get<0>(low), std::get<1>(low)}, h), static_cast<fluid::Method>(method));
     smoke->quality = static_cast<fluid::Quality>(quality);
-    smoke->open = open, smoke->side_speeds = side_speeds, smoke->colour = to_colour(colour);
+    smoke->open = open, smoke->side_speeds = side_speeds, smoke->stick = stick;
+    smoke->colour = to_colour(colour);
     return fluid::add_smoke(world, std::move(smoke)).slot;
 }
 
@@ -247,6 +249,15 @@ void register_smokes(nb::module_& module) {
     c.def_prop_ro("_kind", [](const SmokeHandle& h) {
         return std::tuple(static_cast<int>(row(h).method), static_cast<int>(row(h).quality));
     });
+    c.def(
+        "_gathering",
+        [](const SmokeHandle& h) {
+            fluid::Scratch& scratch = *row(h).scratch;
+            scratch.watched = true;
+            return std::tuple(scratch.gathering.before, scratch.gathering.after);
+        },
+        "Divergence before and after the last projection, root mean square, 1/s, from the step after the first call "
+        "on.");
     c.def("_stir", [](const SmokeHandle& h, Pair at, float radius, Pair velocity) {
         fluid::stir(row(h), {std::get<0>(at), std::get<1>(at)}, radius, {std::get<0>(velocity), std::get<1>(velocity)});
     });
@@ -265,7 +276,7 @@ void register_smokes(nb::module_& module) {
     });
     module.def("add_smoke", &make, nb::arg("world"), nb::kw_only(), nb::arg("nx"), nb::arg("ny"), nb::arg("low"),
                nb::arg("cell"), nb::arg("method"), nb::arg("quality"), nb::arg("open"), nb::arg("side_speeds"),
-               nb::arg("colour"));
+               nb::arg("stick"), nb::arg("colour"));
     module.def("smoke_slots", [](const World& w) {
         std::vector<std::uint32_t> list;
         for (std::uint32_t i = 0; i < w.fluids.smoke_slots.size(); ++i)

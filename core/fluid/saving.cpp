@@ -16,13 +16,14 @@ bool sensible(const Smoke& s) {
 std::unique_ptr<Smoke> read_smoke(Reader& ar) {
     Smoke kind;
     visit_kind(ar, kind);
-    const std::size_t cells = ar.count(0, 12), coloured = ar.count(0, 4);
+    const std::size_t cells = ar.count(0, sizeof(fluid::Cell)), coloured = ar.count(0, 4);
     ar.ok = ar.ok && sensible(kind) && cells == kind.grid.cells() && (coloured == 0 || coloured == 4 * cells);
     if (!ar.ok) return nullptr;
     const fluid::Grid grid = fluid::grid_of(kind.grid.nx, kind.grid.ny, kind.grid.low, kind.grid.h);
     std::unique_ptr<Smoke> smoke = fluid::make_smoke(grid, kind.method);
     smoke->quality = kind.quality, smoke->open = kind.open, smoke->side_speeds = kind.side_speeds;
-    smoke->gas = kind.gas, smoke->colour = kind.colour, smoke->serial = kind.serial, smoke->born = kind.born;
+    smoke->stick = kind.stick, smoke->gas = kind.gas, smoke->colour = kind.colour, smoke->serial = kind.serial,
+    smoke->born = kind.born;
     smoke->views->colour.resize(coloured);
     visit_content(ar, *smoke);
     return smoke;

@@ -17,6 +17,8 @@ struct Colour {
     friend bool operator==(const Colour&, const Colour&) = default;
 };
 
+inline constexpr float kMostDensity = 1e4f; // of a cell: a source in a sealed box may run for ever
+
 // What may be changed while it runs.
 struct Gas {
     float viscosity = 0.0f; // m2/s
@@ -76,6 +78,7 @@ struct Smoke {
     Quality quality = Quality::fast;
     std::array<bool, 4> open{};         // sides that gas may leave and enter by
     std::array<float, 4> side_speeds{}; // m/s at which a closed side slides along itself, to the right or up
+    bool stick = true;                  // does gas that has a viscosity stick to closed sides?
     Gas gas;
     Colour colour; // of all of it, until a source brings another
     Field u, v;    // m/s, on faces

@@ -6,9 +6,8 @@
 namespace evil::fluid {
 namespace {
 
-constexpr float kHeating = 10.0f;    // share of the way to a source's temperature that gas goes in a second
-constexpr float kBlowing = 20.0f;    // and to its velocity
-constexpr float kMostDensity = 1e4f; // of a cell: a source in a sealed box may run for ever
+constexpr float kHeating = 10.0f; // share of the way to a source's temperature that gas goes in a second
+constexpr float kBlowing = 20.0f; // and to its velocity
 
 struct Span { // of cells, or of faces: both ends are inside
     int left, low, right, high;

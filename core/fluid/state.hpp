@@ -19,7 +19,7 @@ template <class A, Like<fluid::Gas> V> void visit(A& ar, V& g) {
 template <class A, Like<fluid::Smoke> V> void visit_kind(A& ar, V& s) { // what the rest needs to know first
     visit(ar, s.grid.nx, s.grid.ny, s.grid.low, s.grid.h, s.method, s.quality, s.serial, s.born);
     visit(ar, s.open[0], s.open[1], s.open[2], s.open[3], s.side_speeds[0], s.side_speeds[1], s.side_speeds[2],
-          s.side_speeds[3], s.colour.r, s.colour.g, s.colour.b);
+          s.side_speeds[3], s.stick, s.colour.r, s.colour.g, s.colour.b);
     visit(ar, s.gas);
 }
 
@@ -30,7 +30,7 @@ template <class A, class AnyField> void visit_rows(A& ar, const fluid::Grid& gri
 
 template <class A, Like<fluid::Smoke> V> void visit_content(A& ar, V& s) {
     auto& views = *s.views;
-    for (auto& cell : views.content) ar.values(cell.density, cell.temperature, cell.fuel);
+    for (auto& cell : views.content) ar.values(cell.density, cell.temperature, cell.fuel, cell.open);
     for (auto& part : views.colour) ar.value(part);
     for (auto& value : views.velocity) ar.value(value);
     if (s.method == fluid::Method::stam) return;

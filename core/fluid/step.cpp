@@ -1,5 +1,5 @@
 // One step of each smoke, in the order of their slots.
-#include "fluid/scratch.hpp"
+#include "fluid/flow.hpp"
 #include "fluid/sources.hpp"
 #include "world.hpp"
 #include <algorithm>
@@ -9,7 +9,6 @@ namespace fluid {
 namespace {
 
 constexpr float kMostHeat = 1e3f; // of a cell: fire in a sealed box may burn for ever
-constexpr float kMostFlow = 1e4f; // m/s
 
 // What is left of something that loses a share of itself a second.
 float kept(float share_a_second, float dt) { return 1.0f / (1.0f + share_a_second * dt); }
@@ -29,6 +28,16 @@ void react(Smoke& smoke, float dt) {
         for (float& part : views.colour) part *= stays;
 }
 
+// What was written from outside may be anything.
+void make_finite(Views& views) {
+    for (Cell& cell : views.content) {
+        cell.density = std::max(clamped(cell.density, kMostDensity), 0.0f);
+        cell.fuel = std::max(clamped(cell.fuel, kMostDensity), 0.0f);
+        cell.temperature = clamped(cell.temperature, kMostHeat);
+    }
+    for (float& value : views.velocity) value = clamped(value, kMostFlow);
+}
+
 void rise_by_stam(Smoke& smoke, Vec2 gravity, float dt) {
     const Gas& gas = smoke.gas;
     const Vec2 lift = (-gas.buoyancy * dt) * gravity;
@@ -42,17 +51,87 @@ void rise_by_stam(Smoke& smoke, Vec2 gravity, float dt) {
     }
 }
 
-void step(Smoke& smoke, std::uint32_t slot, World& world, float dt) {
+void step_by_stam(Smoke& smoke, std::uint32_t slot, World& world, float dt) {
     Views& views = *smoke.views;
     react(smoke, dt);
     apply_sources(smoke, slot, world, dt);
     rise_by_stam(smoke, world.gravity, dt);
     std::span<float> content(&views.content[0].density, 4 * views.content.size());
-    move_by_stam(smoke.grid, smoke.gas.viscosity, dt, views.velocity, smoke.scratch->stam);
-    carry_by_stam(smoke.grid, smoke.gas.diffusion, dt, content, 4, 3, smoke.scratch->stam);
-    if (!views.colour.empty())
-        carry_by_stam(smoke.grid, smoke.gas.diffusion, dt, views.colour, 4, 3, smoke.scratch->stam);
+    StamScratch& scratch = smoke.scratch->stam;
+    move_by_stam(smoke.grid, smoke.gas.viscosity, dt, views.velocity, scratch);
+    carry_by_stam(smoke.grid, smoke.gas.diffusion, dt, content, 4, 3, scratch);
+    if (!views.colour.empty()) carry_by_stam(smoke.grid, smoke.gas.diffusion, dt, views.colour, 4, 3, scratch);
     for (float& value : views.velocity) value = clamped(value, kMostFlow);
+}
+
+void lay_out(Smoke& smoke) {
+    Scratch& s = *smoke.scratch;
+    if (s.laid_out) return;
+    s.laid_out = true;
+    for (Field* field :
+         {&s.x, &s.y, &s.dx, &s.dy, &s.carried, &s.low, &s.high, &s.u, &s.v, &s.inflow, &s.heat, &s.curl})
+        field->lay_out(smoke.grid);
+    s.cells.resize(4 * smoke.grid.cells()), s.other_cells.resize(4 * smoke.grid.cells());
+    s.sums.resize(2 * static_cast<std::size_t>(smoke.grid.ny));
+    s.solids.lay_out(smoke.grid, smoke.open);
+    s.pressure.lay_out(smoke.grid, smoke.open);
+}
+
+void note_heat(Smoke& smoke) {
+    const Grid& g = smoke.grid;
+    const Cell* cell = smoke.views->content.data();
+    for (int j = 0; j < g.ny; ++j)
+        for (int i = 0; i < g.nx; ++i, ++cell) smoke.scratch->heat[g.at(i, j)] = cell->temperature;
+}
+
+// Half a step, projected; what the projection took away is taken away once more, and the second half carries that on.
+void reflect_half_way(const Step& step) {
+    Smoke& smoke = step.smoke;
+    Scratch& s = step.scratch;
+    find_way(step, 0.5f * step.dt);
+    carry_flow(step);
+    s.u = smoke.u, s.v = smoke.v;
+    project(step, smoke.half_pressure);
+    find_way(step, step.dt); // the flow half way through the step is the best guess for all of it
+    carry_content(step);
+    find_way(step, 0.5f * step.dt);
+    const std::ptrdiff_t rows = smoke.grid.at(0, smoke.grid.ny + 1);
+    EVIL_PICK(step.world.instruction_set, reflect)(smoke.u.data(), s.u.data(), rows);
+    EVIL_PICK(step.world.instruction_set, reflect)(smoke.v.data(), s.v.data(), rows);
+    smoke.u.swap(s.u), smoke.v.swap(s.v);
+    carry_flow(step);
+}
+
+void step_staggered(Smoke& smoke, std::uint32_t slot, World& world, float dt) {
+    lay_out(smoke);
+    const Step step{smoke, *smoke.scratch, world, dt};
+    if (smoke.views->lent) take_over(step);
+    step.scratch.solids.update(world, smoke.grid, step.scratch.pressure, world.instruction_set);
+    if (smoke.quality == Quality::high) {
+        reflect_half_way(step);
+    } else {
+        find_way(step, dt);
+        carry_content(step);
+        carry_flow(step);
+    }
+    spread_content(step);
+    react(smoke, dt);
+    apply_sources(smoke, slot, world, dt);
+    note_heat(smoke);
+    drive(step);
+    thicken_flow(step);
+    project(step, smoke.pressure);
+    watch(step);
+    push_bodies(step);
+    show(step);
+}
+
+void step(Smoke& smoke, std::uint32_t slot, World& world, float dt) {
+    if (smoke.views->lent) make_finite(*smoke.views);
+    if (smoke.method == Method::stam)
+        step_by_stam(smoke, slot, world, dt);
+    else
+        step_staggered(smoke, slot, world, dt);
 }
 
 } // namespace

@@ -40,6 +40,7 @@ from evilengine.world.media import Medium
 from evilengine.world.queries import RayHit
 from evilengine.world.sensors import Visit
 from evilengine.world.shapes import Capsule, Chain, Circle, Particle, Polygon, Rectangle, Segment, Triangle
+from evilengine.world.smoke import Smoke, Source
 from evilengine.world.traits import ALL
 from evilengine.world.world import World
 
@@ -82,7 +83,9 @@ __all__ = [
     "Shape",
     "ShapeError",
     "Sheet",
+    "Smoke",
     "SnapshotError",
+    "Source",
     "Spring",
     "StaleReferenceError",
     "Triangle",

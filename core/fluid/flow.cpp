@@ -1,0 +1,296 @@
+#include "fluid/flow.hpp"
+#include "fluid/carry_wide.hpp"
+#include "world.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace evil::fluid {
+namespace {
+
+constexpr std::size_t kRows = 16; // that a thread takes at a time
+constexpr int kCycles = 2;        // of multigrid: leave less than 1% of the divergence, with the last step's pressure
+
+template <class Work> void rows(const Step& step, int more, Work work) {
+    parallel_for(step.world.threads, static_cast<std::size_t>(step.smoke.grid.ny + more), kRows,
+                 [&](std::size_t first, std::size_t last) { work(static_cast<int>(first), static_cast<int>(last)); });
+}
+
+void carry(const Step& step, Field& value, Field& result, bool across) {
+    Scratch& s = step.scratch;
+    const Plan plan = step.plan();
+    const Faces faces{across ? plan.nx + 1 : plan.nx,
+                      across ? plan.ny : plan.ny + 1,
+                      across ? 1 : plan.stride,
+                      value.data(),
+                      s.carried.data(),
+                      s.low.data(),
+                      s.high.data(),
+                      result.data()};
+    const InstructionSet set = step.world.instruction_set;
+    rows(step, across ? 0 : 1,
+         [&](int first, int last) { EVIL_PICK(set, carry_faces)(plan, faces, s.dx.data(), s.dy.data(), first, last); });
+    rows(step, across ? 0 : 1, [&](int first, int last) {
+        EVIL_PICK(set, correct_faces)(plan, faces, s.dx.data(), s.dy.data(), first, last);
+    });
+    value.swap(result);
+}
+
+Vec2 velocity_of(const World& world, const Wall& wall) {
+    return clamped(velocity_at(world.bodies.rows[wall.body], wall.place), kMostFlow);
+}
+
+// In a box without an opening as much flows in as out, or no pressure can balance it: what bodies pump is spread evenly.
+void balance(const Step& step) {
+    const Smoke& smoke = step.smoke;
+    if (smoke.open != std::array<bool, 4>{}) return;
+    const Field& gas = step.scratch.solids.open();
+    Field& b = step.scratch.inflow;
+    double sum = 0.0, cells = 0.0;
+    for (int j = 0; j < smoke.grid.ny; ++j) {
+        float inflow = 0.0f, open = 0.0f;
+        for (std::ptrdiff_t at = smoke.grid.at(0, j), end = at + smoke.grid.nx; at < end; ++at)
+            inflow += gas[at] * b[at], open += gas[at];
+        sum += double(inflow), cells += double(open);
+    }
+    const float mean = cells > 0.0 ? static_cast<float>(sum / cells) : 0.0f;
+    for (int j = 0; j < smoke.grid.ny; ++j)
+        for (std::ptrdiff_t at = smoke.grid.at(0, j), end = at + smoke.grid.nx; at < end; ++at) b[at] -= mean;
+}
+
+void gather_inflow(const Step& step) {
+    Scratch& s = step.scratch;
+    const Smoke& smoke = step.smoke;
+    const Plan plan = step.plan();
+    rows(step, 0, [&](int first, int last) {
+        EVIL_PICK(step.world.instruction_set, find_inflow)
+        (plan, smoke.u.data(), smoke.v.data(), s.solids.across().data(), s.solids.up().data(), s.inflow.data(), first,
+         last);
+    });
+    for (const Wall& wall : s.solids.walls_across()) {
+        const float flow = wall.closed * velocity_of(step.world, wall).x;
+        s.inflow[wall.at] += flow;
+        s.inflow[wall.at - 1] -= flow;
+    }
+    for (const Wall& wall : s.solids.walls_up()) {
+        const float flow = wall.closed * velocity_of(step.world, wall).y;
+        s.inflow[wall.at] += flow;
+        s.inflow[wall.at - plan.stride] -= flow;
+    }
+    balance(step);
+}
+
+// Root mean square over the cells with gas, a second.
+float gathering(const Step& step) {
+    const Grid& g = step.smoke.grid;
+    const Field& gas = step.scratch.solids.open();
+    double sum = 0.0, cells = 0.0;
+    for (int j = 0; j < g.ny; ++j)
+        for (int i = 0; i < g.nx; ++i) {
+            const double b = double(step.scratch.inflow[g.at(i, j)]), open = double(gas[g.at(i, j)]);
+            sum += open * b * b, cells += open;
+        }
+    return static_cast<float>(std::sqrt(sum / std::max(cells, 1.0)) / double(g.h));
+}
+
+} // namespace
+
+void find_way(const Step& step, float dt) {
+    Scratch& s = step.scratch;
+    const Plan plan = step.plan();
+    const InstructionSet set = step.world.instruction_set;
+    rows(step, 0, [&](int first, int last) {
+        EVIL_PICK(set, centre_flow)
+        (plan, step.smoke.u.data(), step.smoke.v.data(), s.x.data(), s.y.data(), first, last);
+    });
+    rows(step, 0, [&](int first, int last) {
+        EVIL_PICK(set, trace_back)
+        (plan, s.x.data(), s.y.data(), dt / step.smoke.grid.h, s.dx.data(), s.dy.data(), first, last);
+    });
+    for (Field* way : {&s.dx, &s.dy}) { // beyond the edges as at them
+        std::copy_n(way->data() - 1, plan.nx + 2, way->data() - plan.stride - 1);
+        const float* top = way->data() + (plan.ny - 1) * plan.stride - 1;
+        std::copy_n(top, plan.nx + 2, way->data() + plan.ny * plan.stride - 1);
+    }
+}
+
+void carry_flow(const Step& step) {
+    carry(step, step.smoke.u, step.scratch.u, true);
+    carry(step, step.smoke.v, step.scratch.v, false);
+}
+
+void drive(const Step& step) {
+    Scratch& s = step.scratch;
+    Smoke& smoke = step.smoke;
+    const Plan plan = step.plan();
+    const InstructionSet set = step.world.instruction_set;
+    const Vec2 lift = (-smoke.gas.buoyancy * step.dt) * step.world.gravity;
+    const float pull = smoke.gas.wind == Vec2{} ? 0.0f : std::min(smoke.gas.wind_pull * step.dt, 1.0f);
+    const bool whirls = smoke.gas.vorticity > 0.0f;
+    if (whirls) {
+        rows(step, 0, [&](int first, int last) {
+            EVIL_PICK(set, find_curl)(plan, s.x.data(), s.y.data(), s.curl.data(), first, last);
+        });
+        rows(step, 0, [&](int first, int last) {
+            EVIL_PICK(set, keep_whirls)
+            (plan, s.curl.data(), smoke.gas.vorticity * step.dt, s.x.data(), s.y.data(), first, last);
+        });
+    }
+    rows(step, 1, [&](int first, int last) {
+        for (int j = first; j < last; ++j) {
+            const std::ptrdiff_t row = j * plan.stride, below = std::max(j - 1, 0) * plan.stride;
+            const std::ptrdiff_t here = std::min(j, plan.ny - 1) * plan.stride;
+            float *u = smoke.u.data() + row, *v = smoke.v.data() + row;
+            if (whirls && j < plan.ny)
+                EVIL_PICK(set, add_means)(s.x.data() + row + 1, s.x.data() + row, plan.nx - 1, u + 1);
+            if (whirls) EVIL_PICK(set, add_means)(s.y.data() + here, s.y.data() + below, plan.nx, v);
+            const float* heat = s.heat.data();
+            if (j < plan.ny) EVIL_PICK(set, lift_faces)
+            (heat + row, heat + row - 1, lift.x, smoke.gas.wind.x, pull, kMostFlow, plan.nx + 1, u);
+            EVIL_PICK(set, lift_faces)
+            (heat + here, heat + below, lift.y, smoke.gas.wind.y, pull, kMostFlow, plan.nx, v);
+        }
+    });
+}
+
+void project(const Step& step, Field& pressure) {
+    Scratch& s = step.scratch;
+    Smoke& smoke = step.smoke;
+    const Plan plan = step.plan();
+    const InstructionSet set = step.world.instruction_set;
+    const float *across = s.solids.across().data(), *up = s.solids.up().data();
+    gather_inflow(step);
+    s.pressure.solve(smoke.grid, s.inflow, pressure, kCycles, set, step.world.threads);
+    rows(step, 1, [&](int first, int last) {
+        EVIL_PICK(set, push_by_pressure)
+        (plan, pressure.data(), across, up, smoke.u.data(), smoke.v.data(), first, last);
+    });
+    for (const Wall& wall : s.solids.walls_across())
+        if (across[wall.at] == 0.0f) smoke.u[wall.at] = velocity_of(step.world, wall).x;
+    for (const Wall& wall : s.solids.walls_up())
+        if (up[wall.at] == 0.0f) smoke.v[wall.at] = velocity_of(step.world, wall).y;
+}
+
+void watch(const Step& step) {
+    Scratch& s = step.scratch;
+    if (!s.watched) return;
+    s.gathering = {gathering(step), 0.0f};
+    gather_inflow(step);
+    s.gathering.after = gathering(step);
+}
+
+void show(const Step& step) {
+    float* out = step.smoke.views->velocity.data();
+    rows(step, 0, [&](int first, int last) {
+        EVIL_PICK(step.world.instruction_set, publish_flow)
+        (step.plan(), step.smoke.u.data(), step.smoke.v.data(), out, first, last);
+    });
+}
+
+// A velocity that was written differs from what the faces say: both faces take half of that.
+void take_over(const Step& step) {
+    Smoke& smoke = step.smoke;
+    Views& views = *smoke.views;
+    const Grid& g = smoke.grid;
+    std::vector<float>& written = step.scratch.cells;
+    written.resize(std::max(written.size(), views.velocity.size()));
+    std::copy(views.velocity.begin(), views.velocity.end(), written.begin());
+    show(step);
+    for (int j = 0; j < g.ny; ++j)
+        for (int i = 0; i < g.nx; ++i) {
+            const std::size_t at = 2 * static_cast<std::size_t>(j * g.nx + i);
+            const Vec2 now = clamped({written[at], written[at + 1]}, kMostFlow);
+            const float more_x = now.x - views.velocity[at], more_y = now.y - views.velocity[at + 1];
+            if (more_x != 0.0f) {
+                smoke.u[g.at(i, j)] += i > 0 ? 0.5f * more_x : more_x;
+                smoke.u[g.at(i + 1, j)] += i + 1 < g.nx ? 0.5f * more_x : more_x;
+            }
+            if (more_y != 0.0f) {
+                smoke.v[g.at(i, j)] += j > 0 ? 0.5f * more_y : more_y;
+                smoke.v[g.at(i, j + 1)] += j + 1 < g.ny ? 0.5f * more_y : more_y;
+            }
+        }
+}
+
+namespace {
+
+void move_cells(const Step& step, float* cells, std::vector<float>& carried, std::vector<float>& result) {
+    Scratch& s = step.scratch;
+    const Plan plan = step.plan();
+    const InstructionSet set = step.world.instruction_set;
+    const float* open = s.solids.room().data();
+    rows(step, 0, [&](int first, int last) {
+        EVIL_PICK(set, carry_cells)(plan, cells, s.dx.data(), s.dy.data(), carried.data(), first, last);
+    });
+    rows(step, 0, [&](int first, int last) {
+        EVIL_PICK(set, correct_cells)
+        (plan, cells, carried.data(), s.dx.data(), s.dy.data(), open, result.data(), s.sums.data(), first, last);
+    });
+}
+
+// visit(cell, share) for the cells at open sides: which share of a cell flows out by the side within the step; negative, in.
+template <class Visit> void each_opening(const Step& step, Visit visit) {
+    const Smoke& smoke = step.smoke;
+    const Grid& g = smoke.grid;
+    const float cells = step.dt / g.h;
+    auto at = [&](int i, int j) { return static_cast<std::size_t>(j * g.nx + i); };
+    for (int j = 0; j < g.ny; ++j) {
+        if (smoke.open[kLeft]) visit(at(0, j), -cells * smoke.u[g.at(0, j)]);
+        if (smoke.open[kRight]) visit(at(g.nx - 1, j), cells * smoke.u[g.at(g.nx, j)]);
+    }
+    for (int i = 0; i < g.nx; ++i) {
+        if (smoke.open[kBottom]) visit(at(i, 0), -cells * smoke.v[g.at(i, 0)]);
+        if (smoke.open[kTop]) visit(at(i, g.ny - 1), cells * smoke.v[g.at(i, g.ny)]);
+    }
+}
+
+// Clear air comes in; the paths, which end at the edge, had brought the edge's own smoke. What that was, by density.
+double let_in(const Step& step, float* cells) {
+    double gone = 0.0;
+    each_opening(step, [&](std::size_t at, float share) {
+        if (!(share < 0.0f)) return;
+        const float left = std::max(1.0f + share, 0.0f);
+        gone += double((1.0f - left) * cells[4 * at]);
+        for (std::size_t k = 0; k < 3; ++k) cells[4 * at + k] *= left;
+    });
+    return gone;
+}
+
+// Advection that follows paths keeps no sums. What it gains or loses within a step, a small share, is taken from all alike.
+float correction(const Step& step, double lost, double gone) {
+    constexpr double kMost = 0.02; // of it; beyond, something was covered or torn that no factor mends
+    double before = -lost, after = -gone;
+    for (int j = 0; j < step.smoke.grid.ny; ++j) {
+        before += double(step.scratch.sums[static_cast<std::size_t>(2 * j)]);
+        after += double(step.scratch.sums[static_cast<std::size_t>(2 * j + 1)]);
+    }
+    return after > 0.0 ? static_cast<float>(std::clamp(before / after, 1.0 - kMost, 1.0 + kMost)) : 1.0f;
+}
+
+void scale(float* values, std::size_t cells, int lanes, float by) {
+    for (std::size_t i = 0; i < cells; ++i)
+        for (int k = 0; k < lanes; ++k) values[4 * i + static_cast<std::size_t>(k)] *= by;
+}
+
+} // namespace
+
+void carry_content(const Step& step) {
+    Scratch& s = step.scratch;
+    Views& views = *step.smoke.views;
+    const std::size_t cells = views.content.size();
+    double lost = 0.0; // what leaves, of which correction is not to make up for
+    each_opening(step, [&](std::size_t at, float share) {
+        lost += double(std::clamp(share, 0.0f, 1.0f) * views.content[at].density);
+    });
+    move_cells(step, &views.content[0].density, s.cells, s.other_cells);
+    const float by = correction(step, lost, let_in(step, s.other_cells.data()));
+    std::copy_n(s.other_cells.data(), 4 * cells, &views.content[0].density);
+    scale(&views.content[0].density, cells, 1, by);
+    if (views.colour.empty()) return;
+    s.colours.resize(4 * cells), s.other_colours.resize(4 * cells);
+    move_cells(step, views.colour.data(), s.colours, s.other_colours);
+    let_in(step, s.other_colours.data());
+    views.colour.swap(s.other_colours);
+    scale(views.colour.data(), cells, 3, by);
+}
+
+} // namespace evil::fluid

@@ -1,0 +1,30 @@
+#pragma once
+// The parts of a smoke's step on the staggered grid, each on all rows, on all threads.
+#include "fluid/flow_wide.hpp"
+#include "fluid/scratch.hpp"
+
+namespace evil::fluid {
+
+inline constexpr float kMostFlow = 1e4f; // m/s: beyond it a step crosses any grid many times over
+
+struct Step { // what all parts of one share
+    Smoke& smoke;
+    Scratch& scratch;
+    World& world;
+    float dt;
+    Plan plan() const { return {smoke.grid.nx, smoke.grid.ny, smoke.grid.stride}; }
+};
+
+void find_way(const Step& step, float dt);       // the way that gas came within dt, from the velocity as it is
+void carry_flow(const Step& step);               // the velocity along that way
+void carry_content(const Step& step);            // all that gas carries, along it
+void drive(const Step& step);                    // heat, wind, whirls
+void thicken_flow(const Step& step);             // by viscosity
+void spread_content(const Step& step);           // by diffusion
+void project(const Step& step, Field& pressure); // until nothing gathers anywhere, with the bodies moving as they do
+void watch(const Step& step);                    // how good that was, if somebody asks
+void push_bodies(const Step& step);              // by pressure and drag
+void show(const Step& step);                     // the velocity, to whoever looks
+void take_over(const Step& step);                // what was written from outside, made finite
+
+} // namespace evil::fluid

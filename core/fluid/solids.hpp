@@ -1,0 +1,73 @@
+#pragma once
+// What stands in a fluid's way: the shares of faces that the bodies' shapes leave open (Ng, Min and Gibou 2009; Batty,
+// Bertails and Bridson 2007), how the bodies move there, and where they can be pushed. From the shapes' signed distances
+// at the corners of cells; only round what moved since the last step is anything made anew. Scratch: it follows from the
+// bodies alone.
+#include "fluid/pressure.hpp"
+#include "fluid/solids_wide.hpp"
+#include "refs.hpp"
+#include <span>
+
+namespace evil {
+struct World;
+}
+
+namespace evil::fluid {
+
+struct Wall { // a face that a moving body covers, wholly or in part
+    std::ptrdiff_t at;
+    float closed; // share
+    Vec2 place;   // its middle, in the world
+    std::uint32_t body;
+};
+
+struct Shore { // a cell with gas that a dynamic body reaches into
+    int i, j;
+    Vec2 area; // metres of the body's outline in it, times its direction into the body
+    std::uint32_t body;
+};
+
+class Solids {
+public:
+    void lay_out(const Grid& grid, const std::array<bool, 4>& open);
+
+    // Finds out what changed since the last call and makes that anew, in the pressure's faces too. True: something has.
+    bool update(const World& world, const Grid& grid, Pressure& pressure, InstructionSet set);
+
+    const Field& across() const { return across_; } // open shares of left faces, 0..1
+    const Field& up() const { return up_; }         // of lower faces
+    const Field& open() const { return gas_; }      // of cells: 1 where there is gas, 0 where all is solid
+    const Field& room() const { return room_; }     // 1 where smoke may be: where the middle of the cell is gas
+    bool is_open(std::ptrdiff_t at, int stride) const {
+        return across_[at] + across_[at + 1] + up_[at] + up_[at + stride] > 0.0f;
+    }
+    std::span<const Wall> walls_across() const { return walls_across_; }
+    std::span<const Wall> walls_up() const { return walls_up_; }
+    std::span<const Shore> shores() const { return shores_; }
+    bool any() const { return !pieces_.empty(); }
+
+private:
+    struct Seen { // a piece as it was drawn
+        std::uint32_t piece = kNone, body = kNone;
+        std::uint32_t first = 0, count = 0; // of its corners, in the world
+        float radius = 0.0f;
+        Patch patch; // the corners of cells that it may be near
+    };
+    void look(const World& world, const Grid& grid);
+    bool same(std::size_t now, std::size_t before) const;
+    void draw(const Grid& grid, const Patch& patch, InstructionSet set);
+    void find_walls(const World& world, const Grid& grid, const Pressure& pressure); // and where there is gas
+
+    std::array<bool, 4> open_{};
+    Field distance_, owner_; // at corners of cells; owner: the body's slot + 1, or 0
+    Field across_, up_, gas_, room_;
+    std::vector<Seen> pieces_, pieces_before_;
+    std::vector<Vec2> corners_, corners_before_;
+    std::vector<Patch> changed_;
+    std::vector<Wall> walls_across_, walls_up_;
+    std::vector<Shore> shores_;
+    Outline outline_;
+    bool fresh_ = true;
+};
+
+} // namespace evil::fluid
