@@ -83,8 +83,9 @@ void register_fields(nb::module_& module) {
                             "A number, or two, for each cell of a smoke, rows from below: a float32 buffer that is "
                             "not copied and may be written. `numpy.asarray(view)` works; `view[j, i]` is one cell.");
     c.def_prop_ro("shape", [](const FieldView& view) {
-        return view.dimensions == 2 ? nb::make_tuple(view.shape[0], view.shape[1])
-                                    : nb::make_tuple(view.shape[0], view.shape[1], view.shape[2]);
+        nb::tuple shape = view.dimensions == 2 ? nb::make_tuple(view.shape[0], view.shape[1])
+                                               : nb::make_tuple(view.shape[0], view.shape[1], view.shape[2]);
+        return nb::borrow<nb::typed<nb::tuple, int, nb::ellipsis>>(shape);
     });
     c.def("__len__", [](const FieldView& view) { return view.shape[0]; });
     c.def("__getitem__", [](const FieldView& view, std::tuple<Py_ssize_t, Py_ssize_t> at) -> nb::object {
@@ -166,7 +167,8 @@ std::uint32_t make_source(World& world, std::uint32_t smoke, std::uint32_t body,
 }
 
 // What `answer` says of the sample at each point: points are a buffer of two columns, or anything that gives pairs.
-template <class Answer> nb::list ask(const SmokeHandle& h, nb::handle points, const char* owner, Answer answer) {
+using Answers = nb::typed<nb::list, nb::any>;
+template <class Answer> Answers ask(const SmokeHandle& h, nb::handle points, const char* owner, Answer answer) {
     const fluid::Smoke& smoke = row(h);
     nb::list answers;
     const Buffer rows(points);
@@ -177,13 +179,13 @@ template <class Answer> nb::list ask(const SmokeHandle& h, nb::handle points, co
         for (Py_ssize_t i = 0; i < rows.rows(); ++i)
             answers.append(answer(
                 fluid::sample(smoke, {static_cast<float>(rows.number(i, 0)), static_cast<float>(rows.number(i, 1))})));
-        return answers;
+        return nb::borrow<Answers>(answers);
     }
     if (is_text(points) || !nb::hasattr(points, "__iter__"))
         raise(ErrorKind::argument_type, std::string(owner) + ": points must be a point, a list of points or an array");
     for (nb::handle point : nb::iter(points))
         answers.append(answer(fluid::sample(smoke, to_vec2(point, owner, "points"))));
-    return answers;
+    return nb::borrow<Answers>(answers);
 }
 
 void bind_samples(nb::class_<SmokeHandle>& c) {

@@ -132,11 +132,9 @@ class Smoke(_core.Smoke):
         >>> smoke.stir((2, 2), radius=1, velocity=(3, 0))
         """
         me = "Smoke.stir"
-        self._stir(
-            tuple(place(at, me)),
-            number(radius, me, "radius", above=0.0, most=1e4),
-            tuple(flow(velocity, me, "velocity")),
-        )
+        middle, wanted = place(at, me), flow(velocity, me, "velocity")
+        reach = number(radius, me, "radius", above=0.0, most=1e4)
+        self._stir((middle.x, middle.y), reach, (wanted.x, wanted.y))
 
     @known_keywords
     def density_at(self, points: Any) -> Any:
