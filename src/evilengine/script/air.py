@@ -63,6 +63,7 @@ AIR_PROPERTIES: tuple[Property, ...] = (
         example="plane -2 parallax 0.3;", range=_PARALLAX),
     _background("tall", "length", "How high the picture is; without it, it covers what is seen.",
         example='plane -2 parallax 0.3;', option="height", range=SIZE, meant=("height", "size")),
+    _background("lit", "flag", "Lights shine on it, and it is dark where none does.", example="plane -2 parallax 0.3;"),
     _plane("parallax", "number",
         "How much of the camera's motion it makes: 1 moves with the world, 0 stays on the screen, 2 is before it.",
         "parallax 0.3", range=_PARALLAX, meant=("scroll", "distance")),
