@@ -46,6 +46,13 @@ template <auto member, class Class> void field(Class& c, const char* name) {
           slot, generation, nb::arg("value"));
 }
 
+std::uint32_t add_slide(LightsBox& box, nb::handle pixels, long width, long height) {
+    const Bytes bytes(pixels, false, "Lights.add_slide", "pixels");
+    check_picture(bytes, width, height, "Lights.add_slide");
+    box.lights.slides.push_back(light::make_slide(bytes.data(), static_cast<int>(width), static_cast<int>(height)));
+    return static_cast<std::uint32_t>(box.lights.slides.size() - 1);
+}
+
 bool collect(LightsBox& box, const SceneBox& scene, World& world, const Matrix6& view, double alpha, int width,
              int height, const light::Rgb& ambient, float strength, float depth, int step, light::Quality quality,
              float bounce) {
@@ -209,6 +216,10 @@ void register_light(nb::module_& module) {
     field<&Light::mask>(c, "mask");
     field<&Light::on>(c, "on");
     field<&Light::shadows>(c, "shadows");
+    field<&Light::slide>(c, "slide");
+    field<&Light::still>(c, "still");
+    c.def("add_slide", &add_slide, nb::arg("pixels"), nb::arg("width"), nb::arg("height"),
+          "A picture of straight r, g, b, a that lights may shine through; its number.");
     c.def("restore", &restore, nb::arg("world"), nb::arg("slots"), nb::arg("serials"), nb::arg("bodies"),
           nb::arg("next_serial"), "Become lights in these slots, as new ones are; their references.");
     c.def("collect", &collect, nb::arg("scene"), nb::arg("world"), nb::arg("view"), nb::arg("alpha"), nb::arg("width"),

@@ -1,6 +1,8 @@
 #include "light/casters.hpp"
 #include "draw/scene.hpp"
+#include "hash.hpp"
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace evil::light {
@@ -82,12 +84,36 @@ void gather(Casters& casters, const World& world, const Affine& to_texel, float 
         if (!world.bodies.slots.taken(slot)) continue;
         const Pose pose = draw::between(world.previous[slot], world.present[slot], alpha);
         const Affine place = compose(to_texel, affine(pose));
+        const std::size_t first = casters.rows.size();
         for (std::uint32_t s = world.bodies.rows[slot].first_shape; s != kNone; s = world.shapes.rows[s].next) {
             if (world.shapes.rows[s].traits.sensor) continue;
             for (std::uint32_t p = world.shapes.rows[s].first_piece; p != kNone; p = world.shapes.pieces[p].next)
                 add_piece(casters, world.shapes, world.shapes.pieces[p], place, scale);
         }
+        for (Caster& caster : std::span(casters.rows).subspan(first)) caster.still = !moves(world.bodies.rows[slot]);
     }
+}
+
+std::uint64_t sum_of_still(const World& world, std::vector<std::uint32_t>& words) {
+    words.clear();
+    const auto put = [&](auto... values) { (words.push_back(std::bit_cast<std::uint32_t>(values)), ...); };
+    for (std::uint32_t slot = 0; slot < world.bodies.slots.size(); ++slot) {
+        if (!world.bodies.slots.taken(slot) || moves(world.bodies.rows[slot])) continue;
+        const Pose& pose = world.present[slot];
+        put(slot, pose.p.x, pose.p.y, pose.q.c, pose.q.s);
+        for (std::uint32_t s = world.bodies.rows[slot].first_shape; s != kNone; s = world.shapes.rows[s].next) {
+            const Shape& shape = world.shapes.rows[s];
+            if (shape.traits.sensor) continue;
+            for (std::uint32_t p = shape.first_piece; p != kNone; p = world.shapes.pieces[p].next) {
+                const Piece& piece = world.shapes.pieces[p];
+                put(shape.traits.category, piece.centre.x, piece.centre.y, piece.radius);
+                for (const Vec2 corner : points_of(world.shapes, piece)) put(corner.x, corner.y);
+            }
+        }
+    }
+    Hash hash;
+    hash.add({reinterpret_cast<const std::uint8_t*>(words.data()), words.size() * sizeof(std::uint32_t)});
+    return hash.sum();
 }
 
 bool holds(const Casters& casters, const Caster& caster, Vec2 point) {

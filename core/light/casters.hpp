@@ -15,6 +15,9 @@ struct Casters {
 // Where things are at `alpha` (0..1) between the last two steps. Keeps the memory of last time.
 void gather(Casters& casters, const World& world, const Affine& to_texel, float alpha);
 
+// A number that changes when anything that stands still and casts shadows does. `words` is scratch.
+std::uint64_t sum_of_still(const World& world, std::vector<std::uint32_t>& words);
+
 bool holds(const Casters& casters, const Caster& caster, Vec2 point); // strictly inside
 
 enum class Covers : std::uint8_t { any, middle }; // of a texel

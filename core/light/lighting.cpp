@@ -3,13 +3,13 @@
 #include "light/shade_wide.hpp"
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace evil::light {
 namespace {
 
 constexpr float kHard =
     0.25f; // texels: half a lamp's line at the least; its half shadows are a texel wide all the same
-constexpr int kBlock = 8 * kPatch; // texels: the largest squares, which threads take one by one
 
 struct Grid { // of the map's texels
     int width, height, stride;
@@ -46,10 +46,7 @@ Rgb linear(const Rgb& colour, float strength) {
 }
 
 // False for a lamp that is too far away to count, or not anywhere.
-bool to_lamp(Lamp& lamp, const Light& light, const World& world, const Grid& grid, float alpha, bool soft) {
-    Pose pose;
-    if (light.body.slot != kNone)
-        pose = draw::between(world.previous[light.body.slot], world.present[light.body.slot], alpha);
+bool to_lamp(Lamp& lamp, const Light& light, const Slide* slide, const Pose& pose, const Grid& grid, bool soft) {
     const Rot turn = rotation(light.angle);
     lamp.at = apply(grid.to_texel, transform(pose, light.at));
     lamp.way = normalised(apply_linear(grid.to_texel, rotate(pose.q, {turn.c, turn.s})));
@@ -64,12 +61,16 @@ bool to_lamp(Lamp& lamp, const Light& light, const World& world, const Grid& gri
     lamp.cone_slope = 1.0f / std::max(full - widest, 1e-4f);
     const Rgb colour = linear(light.colour, light.intensity);
     for (std::size_t i = 0; i < 3; ++i) lamp.glow[i] = colour[i] * light.tint[i];
+    if (slide) {
+        const Affine own{turn.c, turn.s, -turn.s, turn.c, light.at.x, light.at.y};
+        put_slide(lamp, *slide, compose(grid.to_texel, compose(affine(pose), own)), light.radius, grid.scale);
+    }
     const float right = static_cast<float>(grid.width) + reach, bottom = static_cast<float>(grid.height) + reach;
     return lamp.parallel || (lamp.at.x > -reach && lamp.at.y > -reach && lamp.at.x < right && lamp.at.y < bottom);
 }
 
 // A lamp shines out of the bodies that it is in.
-void find_casters(Scratch::Cast& cast, const Light& light, const Casters& all, const Grid& grid,
+void find_casters(Cast& cast, const Light& light, const Casters& all, const Grid& grid,
                   std::vector<std::uint32_t>& holders) {
     holders.clear();
     if (!cast.lamp.parallel)
@@ -78,7 +79,6 @@ void find_casters(Scratch::Cast& cast, const Light& light, const Casters& all, c
     const Vec2 half = 0.5f * Vec2{static_cast<float>(grid.width), static_cast<float>(grid.height)};
     const Vec2 middle = cast.lamp.parallel ? half : cast.lamp.at;
     const float radius = cast.lamp.parallel ? length(half) : cast.lamp.reach;
-    cast.casters.clear();
     for (std::uint32_t i = 0; i < all.rows.size(); ++i) {
         const Caster& caster = all.rows[i];
         if (!(caster.category & light.mask) || caster.body == light.body.slot) continue;
@@ -87,37 +87,43 @@ void find_casters(Scratch::Cast& cast, const Light& light, const Casters& all, c
     }
 }
 
-Scratch::Cast& next(std::vector<Scratch::Cast>& casts, std::size_t& count) {
+Cast& next(std::vector<Cast>& casts, std::size_t& count) {
     if (count == casts.size()) casts.emplace_back();
     return casts[count++];
 }
 
+BakedOf baked_of(const Light& light, const Pose& pose, const Grid& grid, std::uint64_t casters, bool soft) {
+    const Affine& m = grid.to_texel;
+    return {light.serial,  casters, pose, light.at, light.angle, light.cone, light.edge,    light.radius, light.size,
+            light.falloff, m.a,     m.b,  m.c,      m.d,         light.mask, light.shadows, soft};
+}
+
 void find_lamps(Scratch& scratch, const Lights& lights, const World& world, const Grid& grid, float alpha, bool soft) {
     scratch.open_count = scratch.shaded_count = 0;
+    scratch.baked.resize(lights.rows.size());
+    std::optional<std::uint64_t> still;
     for (std::uint32_t slot = 0; slot < lights.rows.size(); ++slot) {
         const Light& light = lights.rows[slot];
+        if (!lights.slots.taken(slot) || !light.on) continue;
+        Pose pose;
+        if (light.body.slot != kNone)
+            pose = draw::between(world.previous[light.body.slot], world.present[light.body.slot], alpha);
         Lamp lamp;
-        if (!lights.slots.taken(slot) || !light.on || !to_lamp(lamp, light, world, grid, alpha, soft)) continue;
-        if (!light.shadows) {
-            next(scratch.open, scratch.open_count).lamp = lamp;
-            continue;
-        }
-        Scratch::Cast& cast = next(scratch.shaded, scratch.shaded_count);
-        cast.lamp = lamp;
-        find_casters(cast, light, scratch.casters, grid, scratch.holders);
+        const Slide* slide = light.slide == kNone ? nullptr : &lights.slides[light.slide];
+        if (!to_lamp(lamp, light, slide, pose, grid, soft)) continue;
+        Cast& cast =
+            light.shadows ? next(scratch.shaded, scratch.shaded_count) : next(scratch.open, scratch.open_count);
+        cast.lamp = lamp, cast.baked = nullptr;
+        cast.casters.clear(), cast.moving = 0;
+        if (light.shadows) find_casters(cast, light, scratch.casters, grid, scratch.holders);
+        if (!light.still) continue;
+        if (!still) still = sum_of_still(world, scratch.words);
+        const auto standing = std::ranges::stable_partition(
+            cast.casters, [&](std::uint32_t caster) { return !scratch.casters.rows[caster].still; });
+        cast.moving = static_cast<std::size_t>(standing.begin() - cast.casters.begin());
+        cast.baked = &scratch.baked[slot];
+        move_to(*cast.baked, baked_of(light, pose, grid, *still, soft), grid.left, grid.top, grid.stride, grid.height);
     }
-}
-
-bool reaches(const Lamp& lamp, Vec2 middle, float radius) {
-    if (lamp.parallel) return true;
-    return length(middle - lamp.at) < lamp.reach + radius;
-}
-
-bool all_solid(std::span<const std::uint8_t> solid, const Patch& patch) {
-    for (int y = patch.y; y < patch.y + patch.rows; ++y)
-        for (int x = patch.x; x < patch.x + kPatch; ++x)
-            if (!solid[static_cast<std::size_t>(y) * patch.stride + x]) return false;
-    return true;
 }
 
 // Where light is added up: three planes, or nine with the ways that it comes from.
@@ -128,42 +134,6 @@ Planes planes_at(float* first, std::size_t plane, bool directed) {
         if (directed) planes.across[c] = first + (3 + c) * plane, planes.down[c] = first + (6 + c) * plane;
     }
     return planes;
-}
-
-// One lamp on a square, with what may hide it from that: from each quarter of it, down to patches.
-void shade_square(Hiding& hiding, std::size_t depth, std::span<const std::uint32_t> among, const Scratch& scratch,
-                  const Lamp& lamp, const Grid& grid, const Square& square, const Planes& to, InstructionSet set) {
-    const Patch patch{square.x, square.y, std::min(kPatch, grid.height - square.y), grid.stride};
-    if (square.x >= grid.width || square.y >= grid.height || !reaches(lamp, square.middle(), square.radius())) return;
-    if (square.side == kPatch && all_solid(scratch.solid, patch)) return;
-    const Casters& all = scratch.casters;
-    std::vector<std::uint32_t>& near = hiding.lists[depth];
-    if (!find_what_matters(near, hiding, among, lamp, all.rows, all.corners, square, set)) return;
-    if (square.side > kPatch) {
-        const int side = square.side / 2;
-        for (int quarter = 0; quarter < 4; ++quarter)
-            shade_square(hiding, depth + 1, near, scratch, lamp, grid,
-                         {square.x + quarter % 2 * side, square.y + quarter / 2 * side, side}, to, set);
-        return;
-    }
-    if (hiding.hidden.size() < near.size()) hiding.hidden.resize(near.size());
-    EVIL_PICK(set, shade_patch_wide)
-    (lamp, all.rows.data(), near.data(), static_cast<int>(near.size()), all.corners.data(), patch, to,
-     hiding.hidden.data());
-}
-
-void shade(Scratch& scratch, std::span<const Scratch::Cast> casts, const Grid& grid, const Planes& to, World& world) {
-    if (casts.empty()) return;
-    const int across = (grid.width + kBlock - 1) / kBlock, down = (grid.height + kBlock - 1) / kBlock;
-    const auto blocks = static_cast<std::size_t>(across) * down;
-    if (scratch.blocks.size() < blocks) scratch.blocks.resize(blocks);
-    parallel_for(world.threads, blocks, 1, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i)
-            for (const Scratch::Cast& cast : casts)
-                shade_square(scratch.blocks[i], 0, cast.casters, scratch, cast.lamp, grid,
-                             {static_cast<int>(i) % across * kBlock, static_cast<int>(i) / across * kBlock, kBlock}, to,
-                             world.instruction_set);
-    });
 }
 
 // Three planes of lamps with shadows, on and in bodies, are added to the rest.
@@ -226,14 +196,15 @@ void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& 
     scratch.solid.assign(plane, 0);
     const Planes open = planes_at(scratch.planes.data(), plane, look.directed);
     const Planes shaded = planes_at(scratch.planes.data() + planes * plane, plane, look.directed);
+    const Field field{grid.width, grid.height, grid.stride, scratch.solid, scratch.casters};
     const Rgb ambient = linear(look.ambient, look.strength);
     for (std::size_t i = 0; i < 3; ++i) std::fill_n(open.light[i], plane, ambient[i]);
-    shade(scratch, std::span(scratch.open).first(scratch.open_count), grid, open, world);
+    shade(scratch.blocks, std::span(scratch.open).first(scratch.open_count), field, open, world);
     if (scratch.shaded_count > 0 || look.quality == Quality::high) {
         for (const Caster& caster : scratch.casters.rows)
             fill<std::uint8_t>(scratch.casters, caster, grid.width, grid.height, grid.stride, scratch.solid, 1,
                                Covers::middle);
-        shade(scratch, std::span(scratch.shaded).first(scratch.shaded_count), grid, shaded, world);
+        shade(scratch.blocks, std::span(scratch.shaded).first(scratch.shaded_count), field, shaded, world);
         const float t = 1.0f / map.step;
         const Affine from_pixel{t, 0, 0, t, 0.5f - map.first.x * t, 0.5f - map.first.y * t};
         if (look.quality == Quality::high)

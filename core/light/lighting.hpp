@@ -2,9 +2,9 @@
 // One frame's light: the lights of a scene and the shapes of its world become the light map (SPEC G5, G7).
 #include "light/bounce.hpp"
 #include "light/casters.hpp"
-#include "light/hiding.hpp"
 #include "light/light_map.hpp"
 #include "light/lights.hpp"
+#include "light/shading.hpp"
 #include "light/soak.hpp"
 
 namespace evil::light {
@@ -23,16 +23,14 @@ struct Look {
     bool directed = false; // something lit has normals
 };
 
-struct Scratch {  // losing it changes nothing
-    struct Cast { // a lamp and what may hide it
-        Lamp lamp;
-        std::vector<std::uint32_t> casters;
-    };
+struct Scratch { // losing it changes nothing
     Casters casters;
     std::vector<Cast> open, shaded; // lamps without and with shadows
     std::size_t open_count = 0, shaded_count = 0;
-    std::vector<Hiding> blocks;
+    std::vector<Block> blocks;
     std::vector<std::uint32_t> holders;
+    std::vector<Baked> baked;         // by light
+    std::vector<std::uint32_t> words; // of what stands still
     std::vector<float> planes; // red, green, blue: light of open lamps, then of shaded ones; where directed, ways too
     std::vector<std::uint8_t> solid;
     std::vector<Soft> soft, blurred, other;

@@ -1,5 +1,6 @@
 #pragma once
 // The lights of a scene (SPEC G5): State, by slot.
+#include "light/slide.hpp"
 #include "math/vec2.hpp"
 #include "refs.hpp"
 #include <array>
@@ -26,13 +27,16 @@ struct Light {
     float temperature = 0.0f; // kelvin; 0: none
     Rgb tint{1, 1, 1};        // linear: what the temperature makes of white
     std::uint32_t mask = 0xffffffffu; // categories of the shapes that cast shadows in it
+    std::uint32_t slide = kNone;      // of Lights::slides: what it shines through
     bool on = true, shadows = true;
+    bool still = false; // what it does is worked out once and kept, as long as neither it nor what stands still changes
     std::uint64_t serial = 0; // order of creation, never used again
 };
 
 struct Lights {
     Slots slots;
     std::vector<Light> rows; // by slot
+    std::vector<Slide> slides;
     std::uint64_t next_serial = 0;
 };
 

@@ -12,6 +12,7 @@
 //          [ ] caster
 //            \\        .
 //             p
+#include "math/transform.hpp"
 #include "math/vec2.hpp"
 #include <cstdint>
 
@@ -23,6 +24,7 @@ struct Caster { // convex: `count` corners in order, either way round, or a circ
     std::uint32_t first = 0; // of its corners
     std::uint32_t count = 0; // none: a circle
     std::uint32_t body = 0, category = 1;
+    bool still = false; // of a static body
 };
 
 struct Lamp {
@@ -35,6 +37,11 @@ struct Lamp {
     float cone_middle = 0.0f, cone_slope = 0.0f; // a spot's share of light is (cosine - middle) * slope, within 0..1
     float glow[3] = {};                          // linear
     float height = 0.0f;                         // before the picture
+    // What it shines through: linear light, by rows; null: nothing. A sun's picture repeats, a lamp's is dark beyond its
+    // edge. Where in it a texel lies, with its first texel's middle at 0.
+    const float* slide[3] = {};
+    int slide_width = 0, slide_height = 0;
+    Affine to_slide;
 };
 
 inline constexpr float kFar = 65536.0f; // texels to a sun: further than a map is wide, near enough for floats
@@ -50,6 +57,14 @@ struct Patch { // eight texels wide, `rows` high
     int x, y, rows, stride;
 };
 
+// The share of a lamp's light at each texel of a patch, before its colour: rows `stride` apart.
+struct Shares {
+    float* at;
+    int stride;
+};
+
+inline constexpr float kUnknown = -1.0f; // a share that has not been worked out
+
 struct Hidden { // scratch of one texel row of a patch: where the intervals begin and end, eight lanes each
     float from[8], to[8];
 };
@@ -63,6 +78,14 @@ struct Square { // of texels; those below the map's last row are none
 
 struct Outline { // of a caster on the lamp's line, over the texels of a square: where it begins and ends
     float from_least, from_most, to_least, to_most;
+};
+
+struct Near { // casters that matter to a patch
+    const Caster* casters;
+    const Vec2* corners;
+    const std::uint32_t* which;
+    int count;
+    Hidden* hidden; // has room for each
 };
 
 } // namespace evil::light

@@ -134,11 +134,25 @@ EVIL_INLINE Floats power_in_quarters(Floats base, int quarters) {
 EVIL_INLINE Floats strength(const Lamp& lamp, const View& v) {
     if (lamp.parallel) return 1.0f;
     Floats rest = max(Floats(1.0f) - v.distance / lamp.reach, 0.0f);
-    Floats result = power_in_quarters(rest, lamp.quarters);
+    Floats result = select(rest > 0.0f, power_in_quarters(rest, lamp.quarters), 0.0f);
     if (!lamp.spot) return result;
     Floats cosine = -(v.ex * lamp.way.x + v.ey * lamp.way.y);
     Floats t = clamp((cosine - lamp.cone_middle) * lamp.cone_slope, 0.0f, 1.0f);
     return result * t * t * (Floats(3.0f) - t * 2.0f);
+}
+
+// Adds the intervals that casters first..last - 1 hide to the `intervals` that there are. True if one of them hides all.
+EVIL_INLINE bool find_hidden(const Lamp& lamp, const light::Near& near, int first, int last, Points p, const View& v,
+                             int& intervals) {
+    for (int i = first; i < last; ++i) {
+        Interval one = hidden_by(near.casters[near.which[i]], near.corners, p, v, lamp.size);
+        one.from = max(one.from, -1.0f), one.to = min(one.to, 1.0f);
+        if (!any(one.from < one.to)) continue;
+        if (hides_all(one)) return true;
+        store(near.hidden[intervals].from, one.from), store(near.hidden[intervals].to, one.to);
+        ++intervals;
+    }
+    return false;
 }
 
 EVIL_INLINE void add(float* to, Floats amount) { store(to, load(to) + amount); }
@@ -168,12 +182,12 @@ EVIL_INLINE void pack(std::uint64_t* to, int count, Ints red, Ints green, Ints b
 }
 
 // The way that light comes from, as long as it lies in the picture's plane, for a lamp before it.
-EVIL_INLINE void add_ways(const light::Planes& planes, int at, const Lamp& lamp, const View& v, Floats light) {
-    Floats lean = v.distance / sqrt(v.distance * v.distance + lamp.height * lamp.height), amount = light * lean;
-    Floats across = v.ex * amount, down = v.ey * amount;
+EVIL_INLINE void add_ways(const light::Planes& planes, int at, const Lamp& lamp, const View& v, const Floats light[3]) {
+    Floats lean = v.distance / sqrt(v.distance * v.distance + lamp.height * lamp.height);
+    Floats across = v.ex * lean, down = v.ey * lean;
     for (int c = 0; c < 3; ++c) {
-        add(planes.across[c] + at, across * lamp.glow[c]);
-        add(planes.down[c] + at, down * lamp.glow[c]);
+        add(planes.across[c] + at, across * light[c]);
+        add(planes.down[c] + at, down * light[c]);
     }
 }
 
@@ -185,6 +199,43 @@ EVIL_INLINE void extent(Floats of, float& least, float& most) {
         least = low[i] < least ? low[i] : least;
         most = high[i] > most ? high[i] : most;
     }
+}
+
+EVIL_INLINE Points points_of(const light::Patch& patch, int row) {
+    return {Floats(static_cast<float>(patch.x) + 0.5f) + to_float(lane_numbers()),
+            static_cast<float>(patch.y + row) + 0.5f};
+}
+
+struct Taps { // along one side of a slide: two texels and where between them
+    Ints first, second;
+    Floats between;
+};
+
+EVIL_INLINE Taps taps(Floats at, int size, bool repeat) {
+    const Floats count(static_cast<float>(size));
+    if (repeat) at -= count * floor(at / count);
+    Floats low = floor(at);
+    Ints first = to_int(low), last(size - 1), second = first + 1;
+    if (repeat) second = select(second > last, Ints(0), second);
+    return {max(min(first, last), Ints(0)), max(min(second, last), Ints(0)), at - low};
+}
+
+// Light times what the lamp's slide lets through.
+EVIL_INLINE void shine_through(const Lamp& lamp, Points p, Floats light[3]) {
+    Floats u = p.x * lamp.to_slide.a + p.y * lamp.to_slide.c + lamp.to_slide.tx;
+    Floats v = p.x * lamp.to_slide.b + p.y * lamp.to_slide.d + lamp.to_slide.ty;
+    Taps x = taps(u, lamp.slide_width, lamp.parallel), y = taps(v, lamp.slide_height, lamp.parallel);
+    Ints above = y.first * lamp.slide_width, below = y.second * lamp.slide_width;
+    for (int c = 0; c < 3; ++c) {
+        Floats a = gather(lamp.slide[c], above + x.first), b = gather(lamp.slide[c], above + x.second);
+        Floats d = gather(lamp.slide[c], below + x.first), e = gather(lamp.slide[c], below + x.second);
+        Floats upper = a + (b - a) * x.between, lower = d + (e - d) * x.between;
+        light[c] *= upper + (lower - upper) * y.between;
+    }
+    if (lamp.parallel) return;
+    Mask inside = (u >= -0.5f) & (v >= -0.5f) & (u <= static_cast<float>(lamp.slide_width) - 0.5f) &
+                  (v <= static_cast<float>(lamp.slide_height) - 0.5f);
+    for (int c = 0; c < 3; ++c) light[c] = select(inside, light[c], 0.0f);
 }
 
 } // namespace
@@ -203,30 +254,55 @@ void outline_casters_wide(const Lamp& lamp, const Caster* casters, const std::ui
     }
 }
 
-void shade_patch_wide(const Lamp& lamp, const Caster* casters, const std::uint32_t* which, int count,
-                      const Vec2* corners, const light::Patch& patch, const light::Planes& planes,
-                      Hidden* hidden) noexcept {
-    const Floats x = Floats(static_cast<float>(patch.x) + 0.5f) + to_float(lane_numbers());
+void shade_patch_wide(const Lamp& lamp, const light::Near& near, const light::Patch& patch,
+                      const light::Shares& shares) noexcept {
     for (int row = 0; row < patch.rows; ++row) {
-        Points p{x, static_cast<float>(patch.y + row) + 0.5f};
+        float* const to = shares.at + row * shares.stride;
+        store(to, 0.0f);
+        Points p = points_of(patch, row);
         View v = look(lamp, p);
         Floats light = strength(lamp, v);
-        if (!any(light > 0.0f)) continue;
         int intervals = 0;
-        bool dark = false;
-        for (int i = 0; i < count && !dark; ++i) {
-            Interval one = hidden_by(casters[which[i]], corners, p, v, lamp.size);
-            one.from = max(one.from, -1.0f), one.to = min(one.to, 1.0f);
-            if (!any(one.from < one.to)) continue;
-            dark = hides_all(one);
-            store(hidden[intervals].from, one.from), store(hidden[intervals].to, one.to);
-            ++intervals;
-        }
-        if (dark) continue;
-        if (intervals > 0) light *= seen(hidden, intervals);
+        if (!any(light > 0.0f) || find_hidden(lamp, near, 0, near.count, p, v, intervals)) continue;
+        if (intervals > 0) light *= seen(near.hidden, intervals);
+        store(to, light);
+    }
+}
+
+void shade_kept_wide(const Lamp& lamp, const light::Near& near, int moving, const light::Patch& patch,
+                     const light::Shares& kept, const light::Shares& shares) noexcept {
+    for (int row = 0; row < patch.rows; ++row) {
+        float* const to = shares.at + row * shares.stride;
+        Floats known = load(kept.at + row * kept.stride);
+        store(to, known);
+        if (!any(known > 0.0f)) continue;
+        Points p = points_of(patch, row);
+        View v = look(lamp, p);
+        int intervals = 0;
+        bool dark = find_hidden(lamp, near, 0, moving, p, v, intervals);
+        if (!dark && intervals == 0) continue;
+        dark = dark || find_hidden(lamp, near, moving, near.count, p, v, intervals);
+        store(to, dark ? Floats(0.0f) : strength(lamp, v) * seen(near.hidden, intervals));
+    }
+}
+
+bool knows_patch_wide(const light::Patch& patch, const light::Shares& shares) noexcept {
+    Floats least(0.0f);
+    for (int row = 0; row < patch.rows; ++row) least = min(least, load(shares.at + row * shares.stride));
+    return !any(least < 0.0f);
+}
+
+void light_patch_wide(const Lamp& lamp, const light::Patch& patch, const light::Shares& shares,
+                      const light::Planes& planes) noexcept {
+    for (int row = 0; row < patch.rows; ++row) {
+        Floats share = load(shares.at + row * shares.stride);
+        if (!any(share > 0.0f)) continue;
+        Floats light[3] = {share * lamp.glow[0], share * lamp.glow[1], share * lamp.glow[2]};
+        Points p = points_of(patch, row);
+        if (lamp.slide[0]) shine_through(lamp, p, light);
         const int at = (patch.y + row) * patch.stride + patch.x;
-        for (int c = 0; c < 3; ++c) add(planes.light[c] + at, light * lamp.glow[c]);
-        if (planes.across[0]) add_ways(planes, at, lamp, v, light);
+        for (int c = 0; c < 3; ++c) add(planes.light[c] + at, light[c]);
+        if (planes.across[0]) add_ways(planes, at, lamp, look(lamp, p), light);
     }
 }
 

@@ -2139,6 +2139,19 @@ class Lights:
 
     def set_shadows(self, slot: int, generation: int, value: bool) -> None: ...
 
+    def slide(self, slot: int, generation: int) -> int: ...
+
+    def set_slide(self, slot: int, generation: int, value: int) -> None: ...
+
+    def still(self, slot: int, generation: int) -> bool: ...
+
+    def set_still(self, slot: int, generation: int, value: bool) -> None: ...
+
+    def add_slide(self, pixels: object, width: int, height: int) -> int:
+        """
+        A picture of straight r, g, b, a that lights may shine through; its number.
+        """
+
     def restore(self, world: World, slots: Sequence[int], serials: Sequence[int], bodies: Sequence[int], next_serial: int) -> list[tuple[int, int]]:
         """Become lights in these slots, as new ones are; their references."""
 

@@ -112,6 +112,7 @@ class Game(Life, GameScreen, Controls, Things):
             self.world,
             textures=self._pictures.texture,
             surfaces=self._pictures.surface,
+            images=self._pictures.images.load,
             fonts=self._pictures.font,
         )
         self.panel = Panel(lambda: self._inputs.pointer)

@@ -35,14 +35,16 @@ LIMITS: dict[str, tuple[float, float]] = {
 class _Field:
     """A property of a light that the core keeps as it is; `check` is given what it is set to, and its name."""
 
-    def __init__(self, doc: str, check: Callable[[Any, str], object]) -> None:
+    def __init__(self, doc: str, check: Callable[[Any, str], object], core_name: str = "") -> None:
         self.__doc__ = doc
         self._check = check
+        self._core_name = core_name
 
     def __set_name__(self, owner: type, name: str) -> None:
         self._name = name
-        self._get: Callable[..., Any] = getattr(_core.Lights, name)
-        self._set: Callable[..., None] = getattr(_core.Lights, f"set_{name}")
+        known = self._core_name or name
+        self._get: Callable[..., Any] = getattr(_core.Lights, known)
+        self._set: Callable[..., None] = getattr(_core.Lights, f"set_{known}")
 
     def __get__(self, light: Light | None, owner: type) -> Any:
         return self if light is None else self._get(light._lights._core, *light._where())
@@ -97,6 +99,12 @@ class Light:
     edge = _Field("The share of a spot's opening, 0..1, in which it fades towards the sides.", _number)
     on = _Field("Does it shine?", _switch)
     shadows = _Field("Do bodies cast shadows in it? Without, it also shines through them.", _switch)
+    static = _Field(
+        "Does it stand still? What it shows of static bodies is then worked out once and kept, and again when it or one"
+        " of them changes. It looks the same and costs less; shadows of what moves fall in it all the same.",
+        _switch,
+        "still",
+    )
 
     @property
     def alive(self) -> bool:
@@ -152,6 +160,21 @@ class Light:
         kelvin = 0.0 if value is None else number(value, "Light", "temperature", least=COLDEST, most=HOTTEST)
         self._lights._core.set_tint(slot, generation, linear_of(kelvin) if kelvin else (1.0, 1.0, 1.0))
         self._lights._core.set_temperature(slot, generation, kelvin)
+
+    @property
+    def texture(self) -> str | None:
+        """The name of the image that it shines through, as through a slide or a stained window, or None.
+
+        The image's middle is where the light is, its corners are `radius` away, and it is turned by `angle`. Through a
+        sun's it is laid again and again.
+        """
+        number = self._lights._core.slide(*self._where())
+        return next((name for name, slide in self._lights._slides.items() if slide == number), None)
+
+    @texture.setter
+    def texture(self, value: str | None) -> None:
+        slot, generation = self._where()
+        self._lights._core.set_slide(slot, generation, self._lights._slide(value, "Light"))
 
     @property
     def mask(self) -> int:

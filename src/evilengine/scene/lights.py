@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Callable, Iterator
+from typing import Any, TypeAlias
 
 from evilengine import _core
 from evilengine.scene.camera import Matrix6
@@ -14,6 +14,7 @@ from evilengine.values.checks import known_keywords, number, one_of
 from evilengine.values.colour import WHITE, Colour, ColourLike, to_colour
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
 from evilengine.values.governor import QUALITIES
+from evilengine.values.image import Image
 from evilengine.values.temperature import COLDEST, HOTTEST
 from evilengine.values.vec2 import Point, to_vec2
 from evilengine.world.body import Body
@@ -35,6 +36,10 @@ SUN_SIZE = 0.05
 """A sun's shadow is soft by so much of the distance to what casts it: some six times as soft as the real one's."""
 
 
+Loads: TypeAlias = Callable[[str], Image]
+"""Gives the picture of a name, or raises AssetError."""
+
+
 class Lights:
     """The lights of a scene. Only drawings that are `lit` show them; the others look as they always do.
 
@@ -46,8 +51,10 @@ class Lights:
     ['lamp', 'sun']
     """
 
-    def __init__(self, world: World) -> None:
+    def __init__(self, world: World, images: Loads | None = None) -> None:
         self._world = world
+        self._images = images
+        self._slides: dict[str, int] = {}  # pictures that lights shine through, as the core counts them
         self._core = _core.Lights()
         self._ambient: float | Colour | None = None
         self._depth = 0.8
@@ -134,16 +141,20 @@ class Lights:
         intensity: float = 1.0,
         radius: float = 8.0,
         size: float | None = None,
-        falloff: float = 2.0,
+        falloff: float | None = None,
         shadows: bool = True,
         mask: int = 0xFFFFFFFF,
         on: bool = True,
         body: Body | None = None,
+        texture: str | None = None,
+        angle: float | None = None,
+        static: bool = False,
     ) -> Light:
         """A lamp `at` a point; with a `direction` or a `cone` (radians) a spot; with a direction alone a sun.
 
         On a `body`, `at` and `direction` are the body's own, and it moves with it; that body casts no shadow in it, nor
-        does one that the light is inside of. The rest may be changed later: see Light.
+        does one that the light is inside of. It shines through the image `texture`, turned by `angle`, as through a
+        slide, and then `falloff` is 0 unless said. A `static` one is worked out once: see Light. The rest may be changed later: see Light.
 
         Raises ArgumentError or ArgumentTypeError, and adds nothing then.
         """
@@ -154,14 +165,20 @@ class Lights:
         if sun and cone is not None:
             raise ArgumentError(f"{owner}: cone={cone!r}: a light from far away has none; say where it is, at=(x, y)")
         where = None if body is None else self._on(body, owner)
-        angle = 0.0 if direction is None else _angle_of(direction, owner)
+        if direction is not None and angle is not None:
+            raise ArgumentError(f"{owner}: direction={direction!r} says its angle; leave angle={angle!r} out")
+        turn = number(
+            0.0 if angle is None else angle, owner, "angle", least=LIMITS["angle"][0], most=LIMITS["angle"][1]
+        )
+        turn = turn if direction is None else _angle_of(direction, owner)
+        slide = self._slide(texture, owner)
         numbers = {
             "cone": 1.0 if cone is None else cone,
             "edge": edge,
             "intensity": intensity,
             "radius": radius,
             "size": (SUN_SIZE if sun else 0.2) if size is None else size,
-            "falloff": falloff,
+            "falloff": (2.0 if texture is None else 0.0) if falloff is None else falloff,
         }
         for name, value in numbers.items():
             number(value, owner, name, least=LIMITS[name][0], most=LIMITS[name][1])
@@ -177,8 +194,9 @@ class Lights:
         self._core.set_reach(light._slot, light._generation, reach)
         for name, value in numbers.items():
             setattr(light, name, value)
-        light.at, light.angle, light.colour, light.temperature = place, angle, tint, temperature
-        light.shadows, light.mask, light.on = shadows, categories, on
+        light.at, light.angle, light.colour, light.temperature = place, turn, tint, temperature
+        light.shadows, light.mask, light.on, light.static = shadows, categories, on, static
+        self._core.set_slide(light._slot, light._generation, slide)
         return light
 
     def clear(self) -> None:
@@ -194,6 +212,21 @@ class Lights:
         if body.world is not self._world:
             raise ArgumentError(f"{owner}: {body!r} lives in another world than the one that these lights shine on")
         return body.slot, body.generation
+
+    def _slide(self, name: object, owner: str) -> int:
+        """The number of the picture called `name`, which the core is given when it is new; NO_SLOT for None."""
+        if name is None:
+            return _core.NO_SLOT
+        if not isinstance(name, str):
+            raise ArgumentTypeError(f"{owner}: texture={name!r} must be the name of an image, such as 'window.png'")
+        if name not in self._slides:
+            if self._images is None:
+                raise ArgumentError(
+                    f"{owner}: texture={name!r}: this scene was given no images; Scene(images=...) takes them"
+                )
+            image = self._images(name)
+            self._slides[name] = self._core.add_slide(image.pixels, image.width, image.height)
+        return self._slides[name]
 
     def _in_slot(self, slot: int) -> Light:
         """The light in a slot."""

@@ -9,7 +9,7 @@ from evilengine.scene.light import LIMITS
 from evilengine.scene.lights import Lights
 from evilengine.values.colour import Colour
 
-_FIELDS = (*LIMITS, "at", "colour", "temperature", "tint", "mask", "on", "shadows", "reach")
+_FIELDS = (*LIMITS, "at", "colour", "temperature", "tint", "mask", "on", "shadows", "still", "reach")
 """What is kept of each light, as the core has it."""
 
 
@@ -31,6 +31,8 @@ def lights_state(lights: Lights) -> dict[str, Any]:
                 "mask": light.mask,
                 "on": light.on,
                 "shadows": light.shadows,
+                "static": light.static,
+                "texture": light.texture,
                 **{name: getattr(light, name) for name in LIMITS},
             }
         )
@@ -54,6 +56,7 @@ class SavedLights:
         self._read = Lights(lights._world)
         self.slots: list[int] = []
         self._serials: list[int] = []
+        self._slides: list[int] = []
         self.bodies: list[int] = []
         """The slots of the bodies that lights are on; NO_SLOT for none."""
         state = state or {"ambient": None, "depth": self._read.depth, "next": 0, "rows": []}
@@ -73,6 +76,8 @@ class SavedLights:
 
     def _read_row(self, row: dict[str, Any]) -> None:
         words = {name: row[name] for name in (*LIMITS, "mask", "shadows", "on", "colour", "temperature")}
+        words["static"] = row.get("static", False)
+        self._slides.append(self._lights._slide(row.get("texture"), "Lights.restore"))
         angle = words.pop("angle")
         kind = str(row["kind"])
         if kind == "sun":
@@ -100,6 +105,7 @@ class SavedLights:
             for name in _FIELDS:
                 value = getattr(read, name)(number, read.generation(number))
                 getattr(lights._core, f"set_{name}")(*place, value)
+            lights._core.set_slide(*place, self._slides[number])
         lights._ambient, lights._depth = self._read._ambient, self._read._depth
         lights._bounce = self._read._bounce
 

@@ -13,7 +13,7 @@ from evilengine.scene.debug import DebugView
 from evilengine.scene.drawing import Drawing, placement, to_depth, to_layer, to_matrix6
 from evilengine.scene.drawn_body import DrawnBody, show
 from evilengine.scene.layers import Layer, Layers, seen_middle
-from evilengine.scene.lights import Lights
+from evilengine.scene.lights import Lights, Loads
 from evilengine.scene.particles import Emitter
 from evilengine.scene.post import Post
 from evilengine.scene.shown import Shown, Surfaces, Textures
@@ -58,6 +58,7 @@ class Scene(Shown):
         *,
         textures: Textures | None = None,
         surfaces: Surfaces | None = None,
+        images: Loads | None = None,
         fonts: Fonts | None = None,
         background: ColourLike = BACKGROUND,
     ) -> None:
@@ -88,7 +89,7 @@ class Scene(Shown):
             tuple[int, int], list[tuple[int, int, int]]
         ] = {}  # by body, which takes its own when asked
         self._from_palette = 0  # how many drawings took a colour of the palette
-        self.lights = Lights(world)
+        self.lights = Lights(world, images)
         """What shines on drawings that are lit: lamps, spots, suns, and the ambient light."""
         self.background = background
         show(world, self)
