@@ -154,7 +154,8 @@ class Lights:
 
         On a `body`, `at` and `direction` are the body's own, and it moves with it; that body casts no shadow in it, nor
         does one that the light is inside of. It shines through the image `texture`, turned by `angle`, as through a
-        slide, and then `falloff` is 0 unless said. A `static` one is worked out once: see Light. The rest may be changed later: see Light.
+        slide, and then `falloff` is 0 unless said. A `static` one is worked out once. The rest may be changed later:
+        see Light.
 
         Raises ArgumentError or ArgumentTypeError, and adds nothing then.
         """
