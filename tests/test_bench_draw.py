@@ -17,7 +17,9 @@ def test_the_numbers_of_a_small_crowd_are_there(tmp_path: Path, capsys: pytest.C
     numbers = json.loads(file.read_text())
     rows = numbers["draw"]
     assert all(0 < seconds < 60 for seconds in numbers["first_frame"].values())
-    assert [row["scene"] for row in rows] == ["turning", "straight"]
+    assert [row["scene"] for row in rows] == [
+        "turning", "straight", "8 lights, low", "8 lights, medium", "8 lights, high", "particles"
+    ]  # fmt: skip
     assert all(row["engines"]["evil soft"]["min"] > 0 and row["before_the_driver"] > 0 for row in rows)
     assert "evil soft" in capsys.readouterr().out
 

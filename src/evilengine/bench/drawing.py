@@ -11,8 +11,10 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from evilengine import _core
+from evilengine.bench import lit
 from evilengine.bench.crowd import METRE, SIDE, SIZE, Sprite, crowd, picture
 from evilengine.bench.drawing_peers import PEERS
+from evilengine.bench.lit import show
 from evilengine.bench.timing import Times, take_turns
 from evilengine.scene.drawn_body import DrawnBody
 from evilengine.values.errors import DeviceError
@@ -76,11 +78,7 @@ class Ours:
 
     def step(self) -> None:
         self.game.world.step(STEP)
-        self.game.renderer.draw(self.game._collect())
-        backend = getattr(self.game.renderer, "_backend", None)
-        if backend is not None:
-            with backend.device:
-                backend.device.context.finish()
+        show(self.game)
 
     def before_the_driver(self, frames: int) -> float:
         """Milliseconds to collect a frame and make the buffers that a graphics card takes, at the least."""
@@ -98,7 +96,7 @@ SCENES = {"turning": True, "straight": False}
 
 
 def measure(
-    counts: Iterable[int], frames: int, peers: Iterable[str], patience: float, tell: Tell
+    counts: Sequence[int], frames: int, peers: Iterable[str], patience: float, tell: Tell
 ) -> tuple[list[Numbers], list[str]]:
     """A row for each scene and count, and what is not installed or has no driver here."""
     rows: list[Numbers] = []
@@ -122,6 +120,7 @@ def measure(
                         "ratios": _ratios(times),
                     }
                 )
+    rows += lit.measure(min(counts), frames, patience, tell)
     return rows, list(missing)
 
 

@@ -85,7 +85,7 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _draw(args: argparse.Namespace) -> int:
-    from evilengine.bench import drawing
+    from evilengine.bench import drawing, lit
     from evilengine.bench.crowd import SIZE
     from evilengine.bench.drawing_peers import PEERS
     from evilengine.values.checks import one_of
@@ -93,7 +93,8 @@ def _draw(args: argparse.Namespace) -> int:
     names = [] if args.peer == ["none"] else [one_of(name, "bench", "--peer", PEERS) for name in args.peer or PEERS]
     counts = drawing.COUNTS if args.size is None else (args.size,)
     rows, missing = drawing.measure(counts, args.steps or 20, names, args.patience, tell)
-    print(f"ms a frame of {SIZE[0]} x {SIZE[1]}, least\n{drawing.table_of(rows)}")
+    said = f"{SIZE[0]} x {SIZE[1]}, with lights {lit.SIZE[0]} x {lit.SIZE[1]}"
+    print(f"ms a frame of {said}, least\n{drawing.table_of(rows)}")
     for row in rows:
         for pair, ratio in row["ratios"].items():
             print(f"{row['sprites']} {row['scene']}: {pair} {ratio:.2f}")
