@@ -289,3 +289,18 @@ def test_a_missing_argument_is_asked_for_by_the_name_that_was_called() -> None:
         evil.World().bodies_at()  # type: ignore[call-arg]
     with pytest.raises(TypeError, match=r"^Game\.sprite\(\) missing"):
         evil.Game(headless=True).sprite()  # type: ignore[call-arg]
+
+
+def test_nothing_at_all_is_refused_by_an_error_of_ours() -> None:
+    world = evil.World()
+    box, hero = world.add(evil.Rectangle(1, 1)), world.add_character(at=(5, 0))
+    for door, argument in (
+        (lambda: evil.Capsule(None, (1, 0), 0.2), "Capsule: a=None"),  # type: ignore[arg-type]
+        (lambda: evil.Segment((0, 0), None), "Segment: b=None"),  # type: ignore[arg-type]
+        (lambda: box.apply_matrix(None), "Body.apply_matrix: matrix"),  # type: ignore[arg-type]
+        (lambda: box.shapes[0].apply_matrix(None), "Shape.apply_matrix: matrix"),  # type: ignore[arg-type]
+        (lambda: world.add_character(ladders=None), "World.add_character: ladders=None"),
+        (lambda: setattr(hero, "ladders", 3), "Character: ladders=3"),
+    ):
+        with pytest.raises(evil.ArgumentTypeError, match=argument):
+            door()

@@ -217,3 +217,25 @@ def test_a_ceiling_ends_a_jump() -> None:
     assert max(track) == pytest.approx(2.5 - FEET, abs=0.02)
     assert track.index(max(track)) < 15
     assert hero.grounded
+
+
+@pytest.mark.parametrize("thrown", [26, 100, 1000])
+def test_it_does_not_bounce_when_it_was_thrown_at_the_ground(thrown: float) -> None:
+    world, hero = flat()
+    hero.position = (0, 8)
+    hero.velocity = (3, -thrown)
+    for _ in range(120):
+        world.step()
+        assert hero.velocity.y <= 0
+    assert hero.grounded
+    assert hero.position.y == pytest.approx(FEET, abs=0.01)
+
+
+def test_it_does_not_bounce_when_it_opens_its_umbrella_just_above_the_ground() -> None:
+    world, hero = flat()
+    hero.position = (0, 4)
+    while hero.position.y > FEET + 0.1:
+        world.step()
+    hero.fall_speed = 1
+    world.step()
+    assert hero.velocity.y <= 0

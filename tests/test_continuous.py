@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import pytest
@@ -154,3 +155,17 @@ def test_sensors_and_joined_bodies_are_no_walls() -> None:
     bullet = world.add(evil.Circle(0.05), velocity=(1000, 0), bullet=True)
     world.step(1 / 60)
     assert bullet.position.x == pytest.approx(1000 / 60, rel=1e-3)
+
+
+@pytest.mark.parametrize("spin", [-1000, 0, 300])
+@pytest.mark.parametrize("angle", [0, 1.2])
+def test_a_turning_wall_does_not_sweep_over_a_bullet_that_slides_along_it(angle: float, spin: float) -> None:
+    """The bullet goes away from where the wall was, the wall comes after it, faster."""
+    shapes = [evil.Rectangle(0.05, 0.02), evil.Segment((-0.05, 0), (0.05, 0)), evil.Circle(0.01)]
+    for shape, start in itertools.product(shapes, (-3, -8.17, -11)):
+        world = evil.World(gravity=(0, 0))
+        wall = world.add(evil.Rectangle(0.01, 60), kind="kinematic", angular_velocity=6, angle=0.1)
+        bullet = world.add(shape, at=(start, 0.3), velocity=(1000, 0), angle=angle, angular_velocity=spin, bullet=True)
+        for _ in range(12):
+            world.step(1 / 60)
+            assert wall.to_local(bullet.centre).x < 0

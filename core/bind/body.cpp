@@ -266,12 +266,15 @@ void bind_state(nb::class_<BodyHandle>& c) {
         c, "scale", kPoint, [](const BodyHandle& h) { return from_vec2(row(h).scale); }, set_scale_of,
         "(x, y) that all its shapes are stretched by; mass follows unless it was set.");
     c.def_prop_ro("_matrix", [](const BodyHandle& h) { return from_affine(body_matrix(row(h))); });
-    c.def("_apply_matrix", [](const BodyHandle& h, nb::handle matrix) {
-        Affine m = to_affine(matrix, "Body.apply_matrix");
-        require_alive(h);
-        MatrixProblem problem = apply_to_body(*h.world, h.ref.slot, m);
-        if (problem != MatrixProblem::none) raise_matrix(problem, "Body.apply_matrix");
-    });
+    c.def(
+        "_apply_matrix",
+        [](const BodyHandle& h, nb::handle matrix) {
+            Affine m = to_affine(matrix, "Body.apply_matrix");
+            require_alive(h);
+            MatrixProblem problem = apply_to_body(*h.world, h.ref.slot, m);
+            if (problem != MatrixProblem::none) raise_matrix(problem, "Body.apply_matrix");
+        },
+        nb::arg("matrix").none());
     c.def("_shape_slots", shape_slots);
     c.def("_destroy", [](const BodyHandle& h) {
         require_alive(h);

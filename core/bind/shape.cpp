@@ -149,7 +149,7 @@ void bind_definition(nb::module_& module) {
     });
     c.def_static("polygon", &polygon_spec, nb::arg("corners"), nb::arg("owner"), nb::arg("rounding") = 0.0f,
                  nb::arg("holes") = nb::make_tuple());
-    c.def_static("line", &line_spec);
+    c.def_static("line", &line_spec, nb::arg("a").none(), nb::arg("b").none(), nb::arg("radius"), nb::arg("owner"));
     c.def_static("chain", &chain_spec);
     using Points = nb::typed<nb::tuple, PyVec2, nb::ellipsis>;
     using Holes = nb::typed<nb::tuple, Points, nb::ellipsis>;
@@ -218,12 +218,15 @@ void register_shape(nb::module_& module) {
     c.def_prop_ro("_body_slot", [](const ShapeHandle& h) { return row(h).body; });
     c.def_prop_ro("outline", outline, kOutline);
     c.def_prop_ro("_matrix", [](const ShapeHandle& h) { return from_affine(row(h).local); });
-    c.def("_apply_matrix", [](const ShapeHandle& h, nb::handle matrix) {
-        Affine m = to_affine(matrix, "Shape.apply_matrix");
-        require_alive(h);
-        MatrixProblem problem = apply_to_shape(*h.world, h.ref.slot, m);
-        if (problem != MatrixProblem::none) raise_matrix(problem, "Shape.apply_matrix");
-    });
+    c.def(
+        "_apply_matrix",
+        [](const ShapeHandle& h, nb::handle matrix) {
+            Affine m = to_affine(matrix, "Shape.apply_matrix");
+            require_alive(h);
+            MatrixProblem problem = apply_to_shape(*h.world, h.ref.slot, m);
+            if (problem != MatrixProblem::none) raise_matrix(problem, "Shape.apply_matrix");
+        },
+        nb::arg("matrix").none());
     c.def("_destroy", [](const ShapeHandle& h) {
         require_alive(h);
         destroy_shape(*h.world, h.ref.slot);

@@ -340,17 +340,18 @@ void take_turn(World& world, Character& c, std::vector<Plane>& planes, float dt)
     c.landing = 0.0f;
     feel_ground(t);
     Vec2 before = c.velocity;
+    float slowest = -std::max(c.abilities.fall_speed, 0.0f); // upwards
     drive(t);
     climb(t);
     jump(t);
     bool falls = !c.grounded && !c.climbing;
     if (c.jumped) before = c.velocity;
     if (falls) {
-        float fall = std::max(-dot(c.velocity, up) + t.gravity * dt, -1e9f);
-        c.velocity = dot(c.velocity, t.right) * t.right - std::min(fall, std::max(c.abilities.fall_speed, 0.0f)) * up;
+        float rise = std::clamp(dot(c.velocity, up) - t.gravity * dt, slowest, 1e9f);
+        c.velocity = dot(c.velocity, t.right) * t.right + rise * up;
     }
     // In the air the mean of both velocities: the jump's curve is then the exact one, and as high as it should be.
-    float mean = falls ? 0.5f * dot(before + c.velocity, up) : dot(c.velocity, up);
+    float rise = dot(c.velocity, up), mean = falls ? 0.5f * (std::max(dot(before, up), slowest) + rise) : rise;
     Vec2 velocity = dot(c.velocity, t.right) * t.right + mean * up + c.ground_velocity;
     Pose from = t.at;
     t.arriving = velocity;

@@ -156,6 +156,13 @@ void find_candidates(Continuous& c, const Fast& fast, const Bodies& bodies, cons
     std::ranges::sort(c.candidates);
 }
 
+// The way that a point of the one takes as seen from the other, in the axes that this one has at the start.
+Vec2 way_seen(const Motion& one, Vec2 local, const Motion* other, double end) {
+    Vec2 from = transform(one.start, local), to = transform(pose_at(one, end), local);
+    if (other) to = transform(other->start, untransform(pose_at(*other, end), to));
+    return to - from;
+}
+
 // The motion of what may be met, which ends early if that is fast itself and has been stopped.
 Impact cast_against(const Continuous& c, const Proxy& core, const Motion& motion, double end, const Proxy& wall,
                     const Body& other, std::uint32_t body, double gap) {
@@ -188,8 +195,10 @@ Impact meet(const Continuous& c, const Proxy& core, const Piece& piece, const Sh
     Impact hit = cast_against(c, core, motion, end, solid, other, wall.body, gap);
     if (hit.state == Meeting::overlap) {
         hit = cast_against(c, middle, motion, end, solid, other, wall.body, gap);
-        Vec2 path = c.path_of[wall.body] == kNone ? motion.path : motion.path - c.motions[c.path_of[wall.body]].path;
-        if (hit.state == Meeting::overlap && dot(hit.normal, path) < 0.0f) hit.state = Meeting::touch; // it stays here
+        if (hit.state != Meeting::overlap) return hit;
+        std::uint32_t path = c.path_of[wall.body];
+        Vec2 way = way_seen(motion, at, path == kNone ? nullptr : &c.motions[path], end);
+        if (dot(hit.normal, way) < 0.0f) hit.state = Meeting::touch; // it stays here
         return hit;
     }
     if (hit.state == Meeting::none) return hit;

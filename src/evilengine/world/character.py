@@ -122,7 +122,7 @@ class Character(_core.Character):
 
     @ladders.setter
     def ladders(self, areas: Iterable[Iterable[float]]) -> None:
-        known = [to_area(area, "Character") for area in areas]
+        known = to_areas(areas, "Character")
         self._clear_ladders()
         for area in known:
             self._add_ladder(*area)
@@ -188,7 +188,7 @@ class Cast:
         """
         me = "World.add_character"
         shape = Capsule((0, -0.45), (0, 0.45), 0.3) if shape is None else shape
-        ladders = [to_area(area, me) for area in options.pop("ladders", ())]
+        ladders = to_areas(options.pop("ladders", ()), me)
         abilities = {word: options.pop(word) for word in ABILITIES if word in options}
         for word in NOT_FOR_CHARACTERS:
             if word in options:
@@ -247,6 +247,13 @@ def to_area(area: object, me: str) -> Area:
     if not (low.x < high.x and low.y < high.y):
         raise ArgumentError(f"{me}: area={area!r}: left must be less than right, and bottom less than top")
     return (low.x, low.y, high.x, high.y)
+
+
+def to_areas(areas: object, me: str) -> list[Area]:
+    """Several areas, or an error."""
+    if not isinstance(areas, Iterable):
+        raise ArgumentTypeError(f"{me}: ladders={areas!r} must be a list of areas, each (left, bottom, right, top)")
+    return [to_area(area, me) for area in areas]
 
 
 def tell_characters(world: World) -> None:
