@@ -146,7 +146,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
     state = json.loads(sections["game"])
     world = _core.Saved(sections["world"])
     worlds.check_notes(game.world, world.notes)
-    bodies, shapes, forces, joints = (set(slots) for slots in world.slots)
+    bodies, _, forces, joints = (set(slots) for slots in world.slots)
     scene = looks.SceneState(game.scene, sections["drawings"], state["scene"])
     emitters = looks.read_emitters(game.scene, state.get("emitters", []), sections.get("particles", b""), bodies)
     none, body_of = _core.NO_SLOT, dict(zip(world.slots[1], world.shape_bodies, strict=True))
