@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 
 from evilengine.cli import sources
@@ -191,3 +192,16 @@ def test_the_hero_is_steered_over_the_hills_and_the_bear_after_a_tab():
     assert fox.position.x > -9
     assert bear.velocity.x > 4
     assert bear.position.x > -16
+
+
+def test_the_second_prototype_is_lit_by_moon_and_fire():
+    game = play("prototype2", 1).game
+    assert len(game.lights) == 7
+    lit = np.array(game.capture().pixels).astype(int)
+    for light in game.lights:
+        light.on = False
+    dark = np.array(game.capture().pixels).astype(int)
+    assert lit[..., :3].mean() > 1.2 * dark[..., :3].mean()
+    red, blue = lit[..., 0] - dark[..., 0], lit[..., 2] - dark[..., 2]
+    assert red[380:500, 470:500].mean() > blue[380:500, 470:500].mean()  # by the fire
+    assert blue[340:400, 720:800].mean() > red[340:400, 720:800].mean()  # in the beam of the moon

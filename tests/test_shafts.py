@@ -189,3 +189,13 @@ def test_levels_say_it() -> None:
     program = translate(script.read(LEVEL))
     for line in ("game.layers[-2].shafts.at = (0, 2)", "game.layers.perspective = True", "lit=True", "depth=0.5"):
         assert line in program
+
+
+def test_a_background_of_a_level_is_in_the_light(tmp_path: Path) -> None:
+    evil.Image.of(2, 2, bytearray(b"\xff" * 16)).save(tmp_path / "wall.png")
+    game = quiet(folder=tmp_path)
+    level.build(script.read('background "wall.png" lit; new light at -1 0 radius 1.5; ambient 0;'), game)
+    bright, dark = picture(game)[80, [70, 200], 0]
+    assert bright > 200
+    assert dark == 0
+    assert "lit=True" in translate(script.read('background "wall.png" lit;'))

@@ -357,3 +357,26 @@ def test_a_level_splits_the_screen_and_gives_it_back(tmp_path: Path, monkeypatch
 def test_bad_words_of_a_split_are_named(text: str, words: str) -> None:
     _, errors = script.check(text)
     assert any(words in f"{each.headline} {each.suggestion}" for each in errors)
+
+
+@pytest.mark.parametrize("width", [37, 61, 100])
+def test_no_view_draws_beyond_its_side(width: int) -> None:
+    """With all that goes over whole rows, eight pixels at a time, beside a view that is as it would be alone."""
+
+    def dressed(game: evil.Game) -> evil.Game:
+        game.draw(evil.Rectangle(30, 20), layer=-2, colour="#8899aa", lit=True)
+        game.draw(evil.Circle(1), at=(0.5, 0), layer=-1, colour="#ffe0a080", lit=True)
+        game.layers[-2].blur, game.layers[-2].shafts.at, game.layers[-1].fog = 2, (1, 1), "#ffd0a040"
+        game.add_light(at=(0, 1), radius=3)
+        game.post.bloom, game.post.grain, game.post.vignette = 0.5, 0.2, 0.5
+        return game
+
+    game = dressed(quiet())
+    game.views[0].area = (0, 0, width / 240, 1)
+    game.add_view((width / 240, 0, 1, 1), position=(2, 0))
+    split = picture(game)
+    for left, right, at in ((0, width, (0, 0)), (width, 240, (2, 0))):
+        alone = evil.Game(size=(right - left, 160), headless=True, renderer="soft")
+        alone.add_background("black")
+        alone.camera.position = at
+        assert np.array_equal(split[:, left:right], picture(dressed(alone)))

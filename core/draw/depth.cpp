@@ -38,7 +38,8 @@ void add_slices(std::vector<Slice>& slices, const DrawList& list, const Instance
                 float size, float behind, float depth) {
     const float front = shrink(perspective, size, behind), back = shrink(perspective, size, behind + depth);
     const float moved = reach_of(list, face, perspective.middle) * (1.0f - back / front);
-    const int count = static_cast<int>(std::clamp(std::ceil(moved / kSlice), 1.0f, static_cast<float>(kMostSlices)));
+    const float wanted = std::ceil(moved / kSlice); // too far out to say: as many as there may be
+    const int count = wanted < static_cast<float>(kMostSlices) ? std::max(static_cast<int>(wanted), 1) : kMostSlices;
     for (int i = count; i >= 1; --i) {
         const float part = static_cast<float>(i) / static_cast<float>(count);
         const float by = shrink(perspective, size, behind + part * depth) / front;

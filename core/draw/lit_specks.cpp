@@ -12,7 +12,7 @@ struct Place {
     Factors weight;
 };
 Place place_of(float pixel, float first, float step, int count) {
-    const float at = std::clamp((pixel - first) / step, 0.0f, static_cast<float>(count - 1));
+    const float at = std::min(std::max(0.0f, (pixel - first) / step), static_cast<float>(count - 1));
     const int texel = static_cast<int>(at);
     return {texel, std::min(texel + 1, count - 1), static_cast<Factors>((at - static_cast<float>(texel)) * 256.0f)};
 }

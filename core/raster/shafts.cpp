@@ -10,7 +10,7 @@ struct Between {
     float part = 0.0f;
 };
 Between between(float place, int count) {
-    place = std::clamp(place - 0.5f, 0.0f, static_cast<float>(count - 1));
+    place = std::min(std::max(0.0f, place - 0.5f), static_cast<float>(count - 1)); // 0 for what is no number
     const int first = static_cast<int>(place);
     return {first, place - static_cast<float>(first)};
 }
