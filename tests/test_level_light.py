@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from typing import Any
 
 import pytest
+from player import level_game, play
+from surfaces import plain
 
 import evilengine as evil
 from evilengine import script
-from evilengine.game import Game, saving
+from evilengine.game import Game, replaying, saving
+from evilengine.save import Replay
 from evilengine.script.translate import translate
+from evilengine.values.colour import to_colour
 
 LEVEL = """
 draw rectangle wall 20 12 at 0 0 colour "#887766" layer -1 lit;
@@ -73,6 +78,105 @@ def test_a_level_as_python_has_the_same_light(tmp_path: Path, monkeypatch: pytes
     assert "evil.Vec2(1, 0).turned(" in text
 
 
+SURFACES = """
+ambient "#102030";
+shadows off;
+draw rectangle wall 20 12 at 0 0 texture "wall.png" normalMap "wall.normal.png" layer -1 lit;
+new circle coal 0.5 at 0 2 physicsOn lit glow 2 glowMap "wall.png";
+new light window at -2 3 texture "wall.png" angle 30 radius 3 static;
+after 0.5s { set coal glow 0.5; shadows on; ambient 0.3; }
+"""
+
+
+def surfaces_of(folder: Path) -> Game:
+    plain(folder / "wall.png", (200, 180, 160))
+    plain(folder / "wall.normal.png", (128, 128, 255))
+    return game_of(SURFACES, folder)
+
+
+def test_surfaces_shadows_and_slides_reach_the_engine(tmp_path: Path) -> None:
+    game = surfaces_of(tmp_path)
+    (window,) = game.lights
+    assert window.texture is not None
+    assert window.texture.endswith("wall.png")
+    assert (window.angle, window.static, window.radius) == (pytest.approx(math.radians(30)), True, 3)
+    assert (game.ambient, game.lights.shadows) == (to_colour("#102030", "test", "colour"), False)
+    (coal,) = game.levels[0]["coal"].drawings
+    assert coal.glow == 2
+    assert coal.glow_map is not None
+    wall = game.levels[0]["wall"]
+    assert wall.normal_map is not None
+    assert wall.normal_map.endswith("wall.normal.png")
+    game.step(40)
+    assert (coal.glow, game.lights.shadows, game.ambient) == (0.5, True, 0.3)
+
+
+def test_a_saved_level_keeps_surfaces_and_shadows(tmp_path: Path) -> None:
+    game = surfaces_of(tmp_path)
+    game.step(10)
+    data = saving.to_bytes(game)
+    other = Game("Light", size=(240, 160), headless=True, renderer="soft", folder=tmp_path)
+    saving.from_bytes(other, data, "saved")
+    assert saving.to_bytes(other) == data
+    assert not other.lights.shadows
+    for each in (game, other):
+        each.step(60)
+    assert bytes(other.capture().pixels) == bytes(game.capture().pixels)
+
+
+def recorded(path: Path, target: Path) -> bytes:
+    """The last picture of a level that is played and recorded."""
+    game = level_game(path)
+    game._recorder = replaying.record(game, target, level=True)
+    play(game, 0, 90)
+    picture = bytes(game.capture().pixels)
+    game.close()
+    return picture
+
+
+@pytest.mark.parametrize("text", [LEVEL, SURFACES], ids=["lights", "surfaces"])
+def test_a_recording_with_lights_is_played_again_to_the_last_pixel(tmp_path: Path, text: str) -> None:
+    surfaces_of(tmp_path)
+    (tmp_path / "played.evil").write_text(text)
+    picture = recorded(tmp_path / "played.evil", tmp_path / "played.evr")
+    game = replaying.game_of(Replay.read(tmp_path / "played.evr"), headless=True)
+    playback = game._playback = replaying.play(game, Replay.read(tmp_path / "played.evr"))
+    while not playback.over:
+        game.step()
+    assert playback.difference is None
+    assert bytes(game.capture().pixels) == picture
+
+
+def test_a_game_that_was_resumed_goes_on_as_if_never_stopped(tmp_path: Path) -> None:
+    game = surfaces_of(tmp_path)
+    for light in game.lights:
+        light.static = True
+    game.step(20)
+    game.capture()  # what stands still is worked out in one of the two
+    other = Game("Light", size=(240, 160), headless=True, renderer="soft", folder=tmp_path)
+    saving.from_bytes(other, saving.to_bytes(game), "saved")
+    for _ in range(4):
+        for each in (game, other):
+            each.step(15)
+        assert bytes(other.capture().pixels) == bytes(game.capture().pixels)
+
+
+def test_a_level_as_python_has_the_same_surfaces(tmp_path: Path) -> None:
+    game = surfaces_of(tmp_path)
+    level, errors = script.check(SURFACES, "level.evil", folder=tmp_path)
+    assert not errors
+    names: dict[str, Any] = {"__name__": "translated"}
+    exec(compile(translate(level), "translated.py", "exec"), names)
+    other = Game("Light", size=(240, 160), headless=True, renderer="soft", folder=tmp_path)
+    names["build"](other)
+    for _ in range(2):
+        assert bytes(other.capture().pixels) == bytes(game.capture().pixels)
+        for each in (game, other):
+            each.step(40)
+    (window,) = other.lights
+    assert (other.lights.shadows, window.static, window.angle) == (True, True, pytest.approx(math.radians(30)))
+
+
 @pytest.mark.parametrize(
     ("text", "words"),
     [
@@ -82,6 +186,12 @@ def test_a_level_as_python_has_the_same_light(tmp_path: Path, monkeypatch: pytes
         ("new light at 0 0 brightness 2;", "intensity"),
         ("new lamp at 0 0;", "light"),
         ("new circle 1 at 0 0 lit 3;", "3"),
+        ("shadows;", "shadows is on or off"),
+        ("shadows true;", "did you mean 'on'?"),
+        ('ambient "sort of blue";', "colour"),
+        ("new circle 1 at 0 0 lit glow 100;", "64"),
+        ("new circle 1 at 0 0 bumps 3;", "normalMap"),
+        ("new light at 0 0 baked;", "static"),
     ],
 )
 def test_mistakes_are_told_with_the_right_word(text: str, words: str) -> None:

@@ -168,3 +168,18 @@ def test_eight_of_them_cost_less_than_half() -> None:
             fastest = min(fastest, time.perf_counter() - start)
         times[static] = fastest
     assert times[True] < 0.5 * times[False]
+
+
+@pytest.mark.parametrize("static", [False, True])
+def test_without_shadows_every_light_shines_through_everything(static: bool) -> None:
+    game = hall(static)
+    game.capture()
+    game.lights.shadows = False
+    shadowless = bytes(game.capture().pixels)
+    for light in game.lights:
+        light.shadows = False
+    game.lights.shadows = True
+    assert bytes(game.capture().pixels) == shadowless
+    game.lights.shadows = False
+    game.lights.clear()
+    assert game.lights.shadows

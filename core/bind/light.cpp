@@ -55,7 +55,7 @@ std::uint32_t add_slide(LightsBox& box, nb::handle pixels, long width, long heig
 
 bool collect(LightsBox& box, const SceneBox& scene, World& world, const Matrix6& view, double alpha, int width,
              int height, const light::Rgb& ambient, float strength, float depth, int step, light::Quality quality,
-             float bounce) {
+             float bounce, bool shadows) {
     draw::DrawList& list = *scene.list;
     bool needed = draw::has_lit_specks(list), directed = false;
     for (const draw::Instance& one : list.instances)
@@ -68,7 +68,7 @@ bool collect(LightsBox& box, const SceneBox& scene, World& world, const Matrix6&
     look.step = step;
     look.quality = quality;
     look.bounce = bounce;
-    look.on = needed, look.directed = directed;
+    look.on = needed, look.directed = directed, look.shadows = shadows;
     if (needed && quality == light::Quality::high) find_colours(box.scratch.bounce, scene.scene, list, world);
     light::compute(list.light, box.scratch, box.lights, look, world, to_affine(view), part_of_step(alpha), width,
                    height);
@@ -224,7 +224,7 @@ void register_light(nb::module_& module) {
           nb::arg("next_serial"), "Become lights in these slots, as new ones are; their references.");
     c.def("collect", &collect, nb::arg("scene"), nb::arg("world"), nb::arg("view"), nb::arg("alpha"), nb::arg("width"),
           nb::arg("height"), nb::arg("ambient"), nb::arg("strength"), nb::arg("depth"), nb::arg("step"),
-          nb::arg("quality"), nb::arg("bounce"),
+          nb::arg("quality"), nb::arg("bounce"), nb::arg("shadows"),
           "Put the frame's light into the list that the scene collected; whether anything in it is lit.");
     c.def("debug", &debug, nb::arg("scene"), nb::arg("world"), nb::arg("view"), nb::arg("alpha"), nb::arg("points"),
           nb::arg("inks"),

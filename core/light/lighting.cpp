@@ -92,13 +92,16 @@ Cast& next(std::vector<Cast>& casts, std::size_t& count) {
     return casts[count++];
 }
 
-BakedOf baked_of(const Light& light, const Pose& pose, const Grid& grid, std::uint64_t casters, bool soft) {
+BakedOf baked_of(const Light& light, const Pose& pose, const Grid& grid, std::uint64_t casters, bool shadows,
+                 bool soft) {
     const Affine& m = grid.to_texel;
-    return {light.serial,  casters, pose, light.at, light.angle, light.cone, light.edge,    light.radius, light.size,
-            light.falloff, m.a,     m.b,  m.c,      m.d,         light.mask, light.shadows, soft};
+    return {light.serial,  casters, pose, light.at, light.angle, light.cone, light.edge, light.radius, light.size,
+            light.falloff, m.a,     m.b,  m.c,      m.d,         light.mask, shadows,    soft};
 }
 
-void find_lamps(Scratch& scratch, const Lights& lights, const World& world, const Grid& grid, float alpha, bool soft) {
+void find_lamps(Scratch& scratch, const Lights& lights, const Look& look, const World& world, const Grid& grid,
+                float alpha) {
+    const bool soft = look.quality != Quality::low;
     scratch.open_count = scratch.shaded_count = 0;
     scratch.baked.resize(lights.rows.size());
     std::optional<std::uint64_t> still;
@@ -111,18 +114,19 @@ void find_lamps(Scratch& scratch, const Lights& lights, const World& world, cons
         Lamp lamp;
         const Slide* slide = light.slide == kNone ? nullptr : &lights.slides[light.slide];
         if (!to_lamp(lamp, light, slide, pose, grid, soft)) continue;
-        Cast& cast =
-            light.shadows ? next(scratch.shaded, scratch.shaded_count) : next(scratch.open, scratch.open_count);
+        const bool shadows = light.shadows && look.shadows;
+        Cast& cast = shadows ? next(scratch.shaded, scratch.shaded_count) : next(scratch.open, scratch.open_count);
         cast.lamp = lamp, cast.baked = nullptr;
         cast.casters.clear(), cast.moving = 0;
-        if (light.shadows) find_casters(cast, light, scratch.casters, grid, scratch.holders);
+        if (shadows) find_casters(cast, light, scratch.casters, grid, scratch.holders);
         if (!light.still) continue;
         if (!still) still = sum_of_still(world, scratch.words);
         const auto standing = std::ranges::stable_partition(
             cast.casters, [&](std::uint32_t caster) { return !scratch.casters.rows[caster].still; });
         cast.moving = static_cast<std::size_t>(standing.begin() - cast.casters.begin());
         cast.baked = &scratch.baked[slot];
-        move_to(*cast.baked, baked_of(light, pose, grid, *still, soft), grid.left, grid.top, grid.stride, grid.height);
+        move_to(*cast.baked, baked_of(light, pose, grid, *still, shadows, soft), grid.left, grid.top, grid.stride,
+                grid.height);
     }
 }
 
@@ -188,7 +192,7 @@ void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& 
     if (!map.on) return;
     const Grid grid = lay_out(map, view, look.step, width, height);
     gather(scratch.casters, world, grid.to_texel, alpha);
-    find_lamps(scratch, lights, world, grid, alpha, look.quality != Quality::low);
+    find_lamps(scratch, lights, look, world, grid, alpha);
 
     const std::size_t plane = static_cast<std::size_t>(grid.stride) * grid.height;
     const std::size_t planes = look.directed ? 9 : 3;

@@ -21,6 +21,7 @@ struct Look {
     int step = 2;          // pixels a texel
     bool on = false;       // off: nothing is lit
     bool directed = false; // something lit has normals
+    bool shadows = true;   // false: every lamp shines through everything
 };
 
 struct Scratch { // losing it changes nothing

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def carry_out(level: Level, command: commands.Picture, scope: Scope, game: Game) -> None:
-    if isinstance(command, commands.AddLight | commands.SetAmbient):
+    if isinstance(command, commands.AddLight | commands.SetAmbient | commands.SetShadows):
         lights.carry_out(level, command, scope, game)
         return
     options: dict[str, Any] = {each.name: level._value(each.value, scope) for each in command.options}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from evilengine.level.rules import Scope
 from evilengine.values import level as commands
@@ -13,9 +13,16 @@ if TYPE_CHECKING:
     from evilengine.level.level import Level
 
 
-def carry_out(level: Level, command: commands.AddLight | commands.SetAmbient, scope: Scope, game: Game) -> None:
+Command: TypeAlias = commands.AddLight | commands.SetAmbient | commands.SetShadows
+
+
+def carry_out(level: Level, command: Command, scope: Scope, game: Game) -> None:
+    if isinstance(command, commands.SetShadows):
+        game.lights.shadows = command.on
+        return
     if isinstance(command, commands.SetAmbient):
-        game.ambient = level._number(command.strength, scope)
+        strength = command.strength
+        game.ambient = strength if isinstance(strength, str) else level._number(strength, scope)
         return
     options: dict[str, Any] = {each.name: level._value(each.value, scope) for each in command.options}
     if not level._has_room(command) or options.get("body", True) is None:
@@ -24,6 +31,8 @@ def carry_out(level: Level, command: commands.AddLight | commands.SetAmbient, sc
         options["direction"] = Vec2(1.0, 0.0).turned(options["direction"])
     if "shadows" in options:
         options["shadows"] = False
+    if "texture" in options:
+        options["texture"] = level._beside(options["texture"])
     if not options.keys() & {"at", "direction", "body"}:
         options["at"] = (0.0, 0.0)
     level._made_thing(game.add_light(**options), command.name, scope)

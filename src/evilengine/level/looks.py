@@ -14,7 +14,14 @@ if TYPE_CHECKING:
     from evilengine.level.level import Level
     from evilengine.level.rules import Scope
 
-LOOKS = frozenset({"colour", "texture", "frames", "fps", "tile", "layer", "lit", "behind", "depth", "hidden"})
+MAPS = frozenset({"normal_map", "glow_map"})
+"""Pictures of a surface, beside that of its colours."""
+
+LOOKS = (
+    frozenset({"colour", "texture", "frames", "fps", "tile", "layer", "lit", "behind", "depth", "hidden"})
+    | MAPS
+    | {"glow"}
+)
 """What a world alone has no use for."""
 
 
@@ -24,8 +31,9 @@ def drawn(values: dict[str, Any], beside: Callable[[str], str]) -> dict[str, Any
     hidden, frames, fps = (values.pop(name, None) for name in ("hidden", "frames", "fps"))
     if hidden:
         values["visible"] = False
-    if "texture" in values:
-        values["texture"] = beside(values["texture"])
+    for name in ("texture", *sorted(MAPS)):
+        if name in values:
+            values[name] = beside(values[name])
     if frames is not None:
         columns, rows = (int(each) for each in frames)
         speed = {} if fps is None else {"fps": fps}

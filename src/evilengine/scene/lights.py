@@ -58,6 +58,7 @@ class Lights:
         self._core = _core.Lights()
         self._ambient: float | Colour | None = None
         self._depth = 0.8
+        self._shadows = True
         self._bounce = 1.0
         self._quality = "auto"
         self._present = "medium"
@@ -98,6 +99,15 @@ class Lights:
     @depth.setter
     def depth(self, value: float) -> None:
         self._depth = number(value, "Lights", "depth", least=0.0, most=100.0)
+
+    @property
+    def shadows(self) -> bool:
+        """Do bodies cast shadows at all? Without, every light shines through everything."""
+        return self._shadows
+
+    @shadows.setter
+    def shadows(self, value: bool) -> None:
+        self._shadows = bool(value)
 
     @property
     def bounce(self) -> float:
@@ -201,10 +211,10 @@ class Lights:
         return light
 
     def clear(self) -> None:
-        """Take away every light, and forget the ambient light; quality and depth stay."""
+        """Take away every light, forget the ambient light, and let bodies cast shadows; quality and depth stay."""
         for light in self:
             light.destroy()
-        self._ambient = None
+        self._ambient, self._shadows = None, True
 
     def _on(self, body: Any, owner: str) -> tuple[int, int]:
         if not isinstance(body, Body):
@@ -262,7 +272,7 @@ class Lights:
         start = time.perf_counter()
         lit = self._core.collect(
             scene, self._world._core, view, alpha, *screen, (colour.r, colour.g, colour.b), strength, self._depth,
-            step * max(1, round(scale)), method, self._bounce,
+            step * max(1, round(scale)), method, self._bounce, self._shadows,
         )  # fmt: skip
         return 1e3 * (time.perf_counter() - start) if lit else None
 

@@ -39,6 +39,7 @@ def lights_state(lights: Lights) -> dict[str, Any]:
     return {
         "ambient": list(ambient) if isinstance(ambient, Colour) else ambient,
         "depth": lights.depth,
+        "shadows": lights.shadows,
         "bounce": lights.bounce,
         "next": lights._core.next_serial,
         "rows": rows,
@@ -63,6 +64,7 @@ class SavedLights:
         if state["ambient"] is not None:
             self._read.ambient = state["ambient"]
         self._read.depth = state["depth"]
+        self._read.shadows = state.get("shadows", True)
         self._read.bounce = state.get("bounce", self._read.bounce)  # saves of 0.1 and before have none
         self._next = int(state["next"])
         if not 0 <= self._next < 1 << 63:
@@ -106,7 +108,7 @@ class SavedLights:
                 value = getattr(read, name)(number, read.generation(number))
                 getattr(lights._core, f"set_{name}")(*place, value)
             lights._core.set_slide(*place, self._slides[number])
-        lights._ambient, lights._depth = self._read._ambient, self._read._depth
+        lights._ambient, lights._depth, lights._shadows = self._read._ambient, self._read._depth, self._read._shadows
         lights._bounce = self._read._bounce
 
 

@@ -124,11 +124,15 @@ class Builder(ThingBuilder):
                 return [values.SetSeed(place, self.whole(seed, "the seed", Range(least=0, most=1e9)))]
             case "gravity", (Spot() as pull,):
                 return [values.SetGravity(place, self.pair(pull, "gravity", Range(least=-1000.0, most=1000.0)))]
+            case "ambient", (Text() as colour,):
+                return [values.SetAmbient(place, self.colour(colour))]
             case "ambient", (strength,):
                 assert not isinstance(strength, Text | Identifier | Spot)
                 return [values.SetAmbient(place, self.number(strength, "ambient light", Range(least=0.0, most=4.0)))]
             case "tilt", (Identifier(name=switch),):
                 return [values.SetTilt(place, switch == "on")]
+            case "shadows", (Identifier(name=switch),):
+                return [values.SetShadows(place, switch == "on")]
             case "go" | "restart", _:
                 return self._go(statement)
             case "pace", (pace,):

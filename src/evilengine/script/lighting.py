@@ -10,11 +10,18 @@ _WALL = 'draw rectangle wall 20 12 at 0 0 colour "#887766" layer -1 lit;\n'
 LIGHT_STATEMENTS: tuple[Statement, ...] = (
     Statement(
         word="ambient",
-        form="ambient NUMBER;",
-        doc="The light that is everywhere on what is `lit`: 1 shows it as it is drawn, 0 not at all. Without it, 0.15 "
-        "where there are lights.",
+        form='ambient NUMBER;  ambient "COLOUR";',
+        doc="The light that is everywhere on what is `lit`: 1 shows it as it is drawn, 0 not at all; or a colour in "
+        "quotes. Without it, 0.15 where there are lights.",
         example="new circle ball 0.5 at 0 3 lit;\nambient 0.1;",
         meant=("ambience", "darkness", "night"),
+    ),
+    Statement(
+        word="shadows",
+        form="shadows on;  shadows off;",
+        doc="Do things cast shadows at all? They do unless this says no.",
+        example="new circle ball 0.5 at 0 3 lit;\nnew light at 0 4;\nshadows off;",
+        meant=("shadow", "castShadows"),
     ),
 )
 
@@ -39,7 +46,7 @@ LIGHT_PROPERTIES: tuple[Property, ...] = (
         example="new circle ball 0.5 at 0 3 physicsOn;\nnew light follows ball;", option="body",
         meant=("on", "of", "attached")),
     _light("towards", "angle", "Where it shines to: 0 is right, -90 down.", "towards -90", option="direction",
-        range=Range(least=-36_000.0, most=36_000.0), meant=("direction", "angle")),
+        range=Range(least=-36_000.0, most=36_000.0), meant=("direction",)),
     _light("cone", "angle", "How wide a spot opens.", "towards -90 cone 40", range=Range(least=1.0, most=360.0),
         meant=("spread", "opening")),
     _light("colour", "colour", "Its colour.", 'colour "orange"', settable=True, spellings=("color",)),
@@ -55,5 +62,11 @@ LIGHT_PROPERTIES: tuple[Property, ...] = (
         "falloff 1", range=Range(least=0.0, most=60.0), settable=True, meant=("fade", "decay", "attenuation")),
     _light("noShadows", "flag", "It shines through everything.", "noShadows", option="shadows",
         meant=("shadowless", "unshadowed")),
+    _light("texture", "picture", "A picture that it shines through, as a window; its corners are `radius` away.",
+        meant=("image", "picture", "cookie", "mask", "slide")),
+    _light("angle", "angle", "How far its picture is turned, in degrees against the clock.", "angle 30",
+        range=Range(least=-36_000.0, most=36_000.0), meant=("turned", "rotation")),
+    _light("static", "flag", "It stands still: what it shows of what stands still is worked out once.",
+        "static", meant=("baked", "fixed", "still")),
 )
 # fmt: on

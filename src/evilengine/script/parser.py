@@ -222,14 +222,16 @@ class Parser(Pictured):
                 return (self.spot("gravity needs two numbers, to the right and up, as in: gravity 0 -9.81;"),)
             case "view":
                 return (self.spot("view needs two numbers, width and height, as in: view 16 9;"),)
-            case "tilt":
-                return (self.switch("tilt"),)
+            case "tilt" | "shadows":
+                return (self.switch(word),)
             case "go":
                 return (self.file("go", "a level", "level2.evil"),)
             case "restart":
                 return ()
             case "ambient":
-                return (self.number("ambient needs a number, as in: ambient 0.1;"),)
+                if self.token.kind == "string":
+                    return (self.colour("ambient"),)
+                return (self.number("ambient needs a number or a colour in quotes, as in: ambient 0.1;"),)
             case "pace":
                 return (self.number("pace needs a number, as in: pace 0.25;"),)
             case "quake":

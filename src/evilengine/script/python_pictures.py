@@ -7,7 +7,7 @@ from evilengine.script.python_meetings import PythonMeetings
 from evilengine.script.python_values import quoted
 from evilengine.values import level as commands
 
-_ANGLES = frozenset({"direction", "cone", "spin"})
+_ANGLES = frozenset({"direction", "cone", "spin", "angle"})
 
 
 class _Code(str):
@@ -20,6 +20,9 @@ class PythonPictures(PythonMeetings):
     def _picture(self, command: commands.Picture) -> None:
         if isinstance(command, commands.SetAmbient):
             self._line(f"game.ambient = {self.value(command.strength)}")
+            return
+        if isinstance(command, commands.SetShadows):
+            self._line(f"game.lights.shadows = {command.on}")
             return
         said = {each.name: _Code(self._written(each)) for each in command.options}
         match command:

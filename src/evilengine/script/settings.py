@@ -106,9 +106,12 @@ class Settings(Expressions):
         """A known word that this kind of thing has no use for; its values are read, to find errors in them."""
         entry = next(each for each in PROPERTIES if token.text in (each.word, *each.spellings))
         owner = family or "thing"
-        names = ", ".join(each.word for each in properties_of(family)) if family else ""
+        own = properties_of(family) if family else ()
+        meant = next((each.word for each in own if token.text in each.meant), "")
+        names = ", ".join(each.word for each in own)
+        hint = f"did you mean '{meant}'?" if meant else f"it takes {names}" if names else ""
         if family:
-            self.error("wrong-property", f"a {owner} has no {token.text}", token, f"it takes {names}" if names else "")
+            self.error("wrong-property", f"a {owner} has no {token.text}", token, hint)
         self.advance()
         self._values(entry)
 

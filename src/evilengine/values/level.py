@@ -18,6 +18,7 @@ from evilengine.values.level_looks import SetAmbient as SetAmbient
 from evilengine.values.level_looks import SetBackground as SetBackground
 from evilengine.values.level_looks import SetLens as SetLens
 from evilengine.values.level_looks import SetPlane as SetPlane
+from evilengine.values.level_looks import SetShadows as SetShadows
 from evilengine.values.level_values import (
     FARTHEST_LIMIT as FARTHEST_LIMIT,
 )

@@ -57,8 +57,17 @@ class SetAmbient:
     """The light that is everywhere."""
 
     place: Place
-    strength: Number
+    strength: Number | str
+    """Or a colour."""
 
 
-Picture: TypeAlias = SetBackground | SetPlane | SetLens | AddParticles | AddLight | SetAmbient
+@dataclass(frozen=True, slots=True)
+class SetShadows:
+    """Whether things cast shadows at all."""
+
+    place: Place
+    on: bool
+
+
+Picture: TypeAlias = SetBackground | SetPlane | SetLens | AddParticles | AddLight | SetAmbient | SetShadows
 """Any of them."""
