@@ -142,7 +142,11 @@ public:
             ((v = T{}), ...);
             return;
         }
-        (read(v), ...);
+        const std::uint8_t* at = at_; // kept here: for all that is known, what is written might be this reader
+        bool sound = true;
+        (read(v, at, sound), ...);
+        at_ = at;
+        ok &= sound;
     }
     template <Plain T> void value(T& v) { values(v); }
     // A count of things of at least `least` bytes each: more than the bytes that are left can hold is a lie.
@@ -155,18 +159,18 @@ public:
     bool at_end() const { return at_ == end_; }
 
 private:
-    template <class T> void read(T& v) {
+    template <class T> static void read(T& v, const std::uint8_t*& at, bool& sound) {
         if constexpr (std::same_as<T, bool>) {
-            ok &= *at_ <= 1;
-            v = *at_ == 1;
+            sound &= *at <= 1;
+            v = *at == 1;
         } else {
-            std::memcpy(&v, at_, sizeof(T));
+            std::memcpy(&v, at, sizeof(T));
         }
-        if constexpr (std::floating_point<T>) ok &= std::isfinite(v);
+        if constexpr (std::floating_point<T>) sound &= std::isfinite(v);
         if constexpr (FloatRow<T>) {
-            for (float f : std::bit_cast<std::array<float, sizeof(T) / sizeof(float)>>(v)) ok &= std::isfinite(f);
+            for (float f : std::bit_cast<std::array<float, sizeof(T) / sizeof(float)>>(v)) sound &= std::isfinite(f);
         }
-        at_ += sizeof(T);
+        at += sizeof(T);
     }
     const std::uint8_t *at_, *end_;
 };

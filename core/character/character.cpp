@@ -142,8 +142,8 @@ void push(Turn& t, Plane& plane, Vec2 velocity) {
                            std::max(a.push_force * t.dt,
                                     std::max(dot(plane.velocity, plane.normal), 0.0f) / (inverse + 1.0f / a.mass)));
     if (!(impulse > 0.0f)) return;
-    b.velocity -= impulse * b.inv_mass * plane.normal;
-    b.spin -= impulse * b.inv_inertia * turn;
+    b.velocity = clamped(b.velocity - impulse * b.inv_mass * plane.normal, kMaxSpeed); // a ton stands on a grain
+    b.spin = clamped(b.spin - impulse * b.inv_inertia * turn, kMaxSpin);
     wake(t.world, plane.body);
     plane.velocity = velocity_at(b, plane.point);
 }

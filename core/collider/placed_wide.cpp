@@ -4,6 +4,7 @@
 namespace evil::EVIL_ISA {
 namespace {
 
+constexpr float kFar = 1e9f;            // metres; a hundred times as far as the world's edge
 constexpr std::int32_t kKindBits = 255; // of a body's first four bytes; 0: static
 
 struct WideBody { // fields in the order that core/bodies.hpp has them
@@ -45,7 +46,11 @@ EVIL_INLINE void place_eight(const PlacingRows& t, std::size_t first) {
     Floats off_x = local_x - b.local_x, off_y = local_y - b.local_y;
     Floats grow = Floats(0.5f * t.margin) + min(turn, Floats(2.0f)) * (sqrt(off_x * off_x + off_y * off_y) + reach);
     Floats ex = min(abs(c) * hx + abs(s) * hy + radius, reach), ey = min(abs(s) * hx + abs(c) * hy + radius, reach);
-    Floats x = b.x + arm_x, y = b.y + arm_y;
+    // Whatever came in, bounds are finite: cells are counted by them.
+    Floats far = kFar, x = clamp(b.x + arm_x, -far, far), y = clamp(b.y + arm_y, -far, far);
+    path_x = clamp(path_x, -far, far);
+    path_y = clamp(path_y, -far, far);
+    grow = min(grow, far);
     Floats low_x = x - ex + min(path_x, zero) - grow, high_x = x + ex + max(path_x, zero) + grow;
     Floats low_y = y - ey + min(path_y, zero) - grow, high_y = y + ey + max(path_y, zero) + grow;
     store(t.low_x + first, low_x);

@@ -12,11 +12,12 @@ Exact exact(Vec2 v) { return {v.x, v.y}; }
 Exact along(Exact start, double t, Exact d) { return {start.x + t * d.x, start.y + t * d.y}; }
 
 // A cosine and a sine of 32 bits are not quite of length 1: what undoes their rotation divides by what they are.
-Exact unrotate(Rot q, Exact v) {
-    double c = q.c, s = q.s, over = 1.0 / (c * c + s * s);
-    return {(c * v.x + s * v.y) * over, (c * v.y - s * v.x) * over};
-}
-Exact to_local(const Pose& pose, Vec2 point) { return unrotate(pose.q, exact(point) - exact(pose.p)); }
+struct Unrotate {
+    double c, s, over;
+    explicit Unrotate(Rot q) : c(q.c), s(q.s), over(1.0 / (c * c + s * s)) {}
+    Exact operator()(Exact v) const { return {(c * v.x + s * v.y) * over, (c * v.y - s * v.x) * over}; }
+};
+Exact to_local(const Pose& pose, Vec2 point) { return Unrotate(pose.q)(exact(point) - exact(pose.p)); }
 
 Vec2 to_world(const Pose& pose, Exact normal) {
     double l = std::sqrt(dot(normal, normal)), over = l > 0.0 ? 1.0 / l : 0.0;
@@ -110,7 +111,8 @@ LocalNear nearest_of_hull(const Outline& o, Exact p) {
 } // namespace
 
 std::optional<Entry> enter(const Shapes& shapes, const Piece& piece, const Pose& pose, Vec2 start, Vec2 end) {
-    Exact s = to_local(pose, start), d = unrotate(pose.q, exact(end) - exact(start));
+    Unrotate local(pose.q);
+    Exact s = local(exact(start) - exact(pose.p)), d = local(exact(end) - exact(start));
     Outline o = outline_of(shapes, piece);
     LocalEntry best;
     if (piece.count == 0)

@@ -1,5 +1,6 @@
 #include "collider/tree_wide.hpp"
 #include "math/wide.hpp"
+#include <bit>
 
 namespace evil::EVIL_ISA {
 namespace {
@@ -27,15 +28,17 @@ EVIL_INLINE int lowest_lane(unsigned found) {
 #endif
 }
 
-// The lanes of `found` by how near they are: into `lanes`, the nearest last.
+// The lanes of `found` by how near they are: into `lanes`, the nearest last. Each goes straight to its place, which is how
+// many come before it: branches on distances could not be foretold. No distance is not-a-number, or two would share a place.
 EVIL_INLINE int by_distance(unsigned found, const float* near, int* lanes) {
-    int count = 0;
-    for (; found != 0u; found &= found - 1u) {
-        int lane = lowest_lane(found), i = count++;
-        for (; i > 0 && near[lanes[i - 1]] < near[lane]; --i) lanes[i] = lanes[i - 1];
-        lanes[i] = lane;
+    Floats distances = load(near);
+    for (unsigned rest = found; rest != 0u; rest &= rest - 1u) {
+        int lane = lowest_lane(rest);
+        Floats mine = near[lane];
+        unsigned before = bits(distances > mine) | (bits(distances == mine) & ((1u << lane) - 1u));
+        lanes[std::popcount(before & found)] = lane;
     }
-    return count;
+    return std::popcount(found);
 }
 
 // From the root down, always into the nearest box first. `look(boxes, near)` gives the lanes to look into, as bits.

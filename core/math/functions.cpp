@@ -1,4 +1,5 @@
 #include "math/functions.hpp"
+#include "math/sincos.hpp"
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -9,26 +10,13 @@
 namespace evil {
 namespace {
 
+using series::sum;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// pi/2 and ln 2 as sums (Cody and Waite 1980). The leading parts have 33 bits, so that a count below 2^20 times such a
-// part is exact and what is left after the subtraction keeps all its digits.
-constexpr double kHalfPi[3] = {0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2e037073p-69};
+// ln 2 as a sum, as pi/2 in sincos.hpp.
 constexpr double kLn2[2] = {0x1.62e42fefp-1, 0x1.473de6af278edp-34};
-constexpr double kLargestReduced = 1.6e6; // radians: about 2^20 quarter turns
-
-// Sum of c[0] + c[1] x + ... by Horner's rule.
-template <int N> constexpr double sum(const double (&c)[N], double x) {
-    double total = c[N - 1];
-    for (int i = N - 2; i >= 0; --i) total = total * x + c[i];
-    return total;
-}
-
-// sin r / r and cos r in powers of r^2. On |r| <= pi/4 the first term left out is below 1e-13 of the sum.
-constexpr double kSine[] = {1.0, -1.0 / 6, 1.0 / 120, -1.0 / 5040, 1.0 / 362880, -1.0 / 39916800, 1.0 / 6227020800};
-constexpr double kCosine[] = {1.0,         -1.0 / 2,       1.0 / 24,        -1.0 / 720,
-                              1.0 / 40320, -1.0 / 3628800, 1.0 / 479001600, -1.0 / 87178291200};
 
 // atan(k/8): the nearest is subtracted by tan(a - b) = (tan a - tan b) / (1 + tan a tan b), which leaves |t| <= 1/16.
 constexpr double kAtanOfEighths[] = {0.0,
@@ -49,13 +37,6 @@ constexpr double kExp[] = {
 // 2^n for n in -1022..1023, from the bits of its exponent.
 double two_to(int n) { return std::bit_cast<double>(static_cast<std::uint64_t>(n + 1023) << 52); }
 
-// floor(x + 1/2) for |x| < 2^30.
-int nearest(double x) {
-    double up = x + 0.5;
-    int toward_zero = static_cast<int>(up);
-    return toward_zero - (toward_zero > up ? 1 : 0);
-}
-
 // atan t for 0 <= t <= 1.
 double atan_of_ratio(double t) {
     int k = static_cast<int>(8.0 * t + 0.5);
@@ -67,24 +48,11 @@ double atan_of_ratio(double t) {
 } // namespace
 
 SinCos sincos(double angle) noexcept {
-    if (!(angle <= kLargestReduced && angle >= -kLargestReduced)) {
+    if (!(angle <= series::kLargestReduced && angle >= -series::kLargestReduced)) {
         if (!std::isfinite(angle)) return {0.0f, 1.0f};
         angle = std::fmod(angle, 2.0 * kPi);
     }
-    int quarter = nearest(angle * (2.0 / kPi)); // std::floor would be a call on machines of before 2008
-    double quarters = quarter;
-    double r = ((angle - quarters * kHalfPi[0]) - quarters * kHalfPi[1]) - quarters * kHalfPi[2];
-    float sine = static_cast<float>(r * sum(kSine, r * r)), cosine = static_cast<float>(sum(kCosine, r * r));
-    switch (quarter & 3) {
-    case 0:
-        return {sine, cosine};
-    case 1:
-        return {cosine, -sine};
-    case 2:
-        return {-sine, -cosine};
-    default:
-        return {-cosine, sine};
-    }
+    return series::sincos_reduced(angle);
 }
 
 float atan2(float y, float x) noexcept {

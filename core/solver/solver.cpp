@@ -1,4 +1,5 @@
 #include "solver/solver.hpp"
+#include "math/rotations_wide.hpp"
 #include "solver/contact_constraints.hpp"
 #include "solver/contacts_wide.hpp"
 #include <atomic>
@@ -40,13 +41,31 @@ template <class Work> void for_each_body(Solver& solver, Threads& threads, Work 
     });
 }
 
-// Bring a body to where its row is.
-void write_back(Body& b, const SolverBody& s, const Path& path) {
+// Bring a body to where its row is; `q`: turned so far.
+void write_back(Body& b, const SolverBody& s, const Path& path, Rot q) {
     b.velocity = clamped({s.vx, s.vy}, kMaxSpeed);
     b.spin = clamped(s.spin, kMaxSpin);
     b.centre = clamped(path.start + Vec2{s.moved_x, s.moved_y}, kWorldEdge);
     b.angle = path.angle + double(s.turned);
-    place_by_centre(b);
+    b.pose.q = q;
+    b.pose.p = b.centre - rotate(q, b.local_centre);
+}
+
+template <class After>
+void write_back_all(Solver& solver, Bodies& bodies, InstructionSet set, Threads& threads, After after) {
+    parallel_for(threads, solver.paths.size(), kBodiesAtOnce, [&](std::size_t first, std::size_t last) {
+        double angles[kBodiesAtOnce];
+        Rot turned[kBodiesAtOnce];
+        for (std::size_t i = first; i < last; ++i)
+            angles[i - first] = solver.paths[i].angle + double(solver.bodies[i + 1].turned);
+        EVIL_PICK(set, rotations)(angles, last - first, turned);
+        for (std::size_t i = first; i < last; ++i) {
+            const Path& path = solver.paths[i];
+            Body& b = bodies.rows[path.body];
+            write_back(b, solver.bodies[i + 1], path, turned[i - first]);
+            after(b);
+        }
+    });
 }
 
 float kept(float per_second, float h) {
@@ -84,11 +103,9 @@ void fill_bodies(Solver& solver, Bodies& bodies, const Forces& forces, Vec2 grav
 
 // Generators are asked before each substep, where the bodies are by then.
 void ask_forces(Solver& solver, Bodies& bodies, const Forces& forces, Vec2 gravity, float h, int substep,
-                Threads& threads) {
+                InstructionSet set, Threads& threads) {
     if (forces.slots.count() == 0) return;
-    for_each_body(solver, threads, [&](std::size_t i, const Path& path) {
-        if (substep > 0) write_back(bodies.rows[path.body], solver.bodies[i], path);
-    });
+    if (substep > 0) write_back_all(solver, bodies, set, threads, [](Body&) {});
     solver.pushes.assign(bodies.slots.size(), {});
     apply_forces(forces, bodies, gravity, h, solver.pushes);
     for_each_body(solver, threads, [&](std::size_t i, const Path& path) {
@@ -151,12 +168,8 @@ bool relax_contacts(Solver& solver, StepSize step, Threads& threads) {
     return slid.load();
 }
 
-void finish_bodies(Solver& solver, Bodies& bodies, Threads& threads) {
-    for_each_body(solver, threads, [&](std::size_t i, const Path& path) {
-        Body& b = bodies.rows[path.body];
-        write_back(b, solver.bodies[i], path);
-        clear_gathered(b);
-    });
+void finish_bodies(Solver& solver, Bodies& bodies, InstructionSet set, Threads& threads) {
+    write_back_all(solver, bodies, set, threads, clear_gathered);
 }
 
 } // namespace
@@ -174,7 +187,7 @@ void solve(Solver& solver, Bodies& bodies, Contacts& contacts, Joints& joints, c
     // at each of them is needed. In the first substep they are new, and joints start in their own way.
     bool warm = false;
     for (int substep = 0; substep < step.substeps; ++substep) {
-        ask_forces(solver, bodies, forces, gravity, h, substep, threads);
+        ask_forces(solver, bodies, forces, gravity, h, substep, step.set, threads);
         integrate_velocities(solver, step.set, warm, threads);
         warm_start_joints(solver, step.set);
         if (!warm) warm_start_contacts(solver, step.set, threads);
@@ -187,7 +200,7 @@ void solve(Solver& solver, Bodies& bodies, Contacts& contacts, Joints& joints, c
     apply_restitution(solver, contacts, step);
     finish_contacts(solver, contacts, step, threads);
     store_joints(solver, joints, step);
-    finish_bodies(solver, bodies, threads);
+    finish_bodies(solver, bodies, step.set, threads);
 }
 
 } // namespace evil
