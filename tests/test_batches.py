@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 import evilengine as evil
 from evilengine import _core
-from evilengine.renderer.gl.pipeline import INSTANCE, MIXES, ROW
+from evilengine.renderer.gl.pipeline import INSTANCE, MIXES, ROW, SPRITE
 from evilengine.values.errors import ArgumentError
 
 SQUARE: Points = [(-8, -8), (8, -8), (8, 8), (-8, 8)]
@@ -206,3 +206,37 @@ def test_whatever_is_drawn_every_quad_names_texels_that_there_are(
             assert shapes <= first <= first + count <= shapes + edges
             assert np.isfinite(texels(batcher)[first : first + count]).all()
         assert facet + 10 * (how >> 16) <= shapes
+
+
+# ---- sprites ----
+
+WEIRD = st.sampled_from([0.0, 1.0, -1.0, 20.0, 1e-30, 3e38, -3e38, math.nan, math.inf])
+
+
+@settings(deadline=None, max_examples=60)
+@given(st.lists(st.tuples(*[WEIRD] * 6), min_size=1, max_size=8), st.lists(st.tuples(*[WEIRD] * 6), max_size=4))
+def test_no_matrix_gets_a_number_into_a_sprite_that_is_none(
+    matrices: list[tuple[float, ...]], textures: list[tuple[float, ...]]
+) -> None:
+    batcher, content = _core.Batcher(), _core.DrawList()
+    picture = batcher.hold()
+    for texture in (0, picture):
+        batcher.place(texture, 0, [(2, 2, 16, 16, 1, 1, 15, 15, 1), (22, 2, 8, 8, 0, 0, 8, 8, 0)])
+    square = content.polygon([(0, 0), (1, 0), (1, 1), (0, 1)], uvs=[(0, 0), (1, 0), (1, 1), (0, 1)])
+    for number in range(40):
+        content.instance(square, place(100 + number, 100, 12.0, 0.1 * number), texture=picture)
+        if number % 20 == 0:
+            for matrix in matrices:
+                content.instance(square, matrix, texture=picture)
+            for matrix in textures:
+                content.instance(square, place(50, 50, 9.0), texture=picture, to_texture=matrix)
+    batches = batcher.collect(content, *SIZE)
+    rows = np.frombuffer(batcher.sprites, np.float32).reshape(-1, SPRITE.stride // 4)
+    assert np.isfinite(rows[:, :16]).all()
+    assert len(rows) == sum(batch[2] for batch in batches if batch[0] == "sprites")
+    assert len(rows) > 0
+
+
+def test_a_place_for_a_picture_that_nobody_holds_is_refused() -> None:
+    with pytest.raises(ArgumentError, match=r"Batcher\.place: texture=1 was never held"):
+        _core.Batcher().place(1, 0, [])
