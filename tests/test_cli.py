@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import importlib.util
 import io
 import subprocess
 import sys
@@ -229,6 +230,13 @@ def test_doctor_asks_the_real_driver_and_survives_having_none(monkeypatch):
     assert bool(found.renderer) != bool(found.problem)
     monkeypatch.setattr("evilengine.renderer.gl.moderngl_device.make_headless", lambda: 1 / 0)
     assert graphics() == Graphics("", "", False, "division by zero")
+
+
+@pytest.mark.parametrize("there", [True, False])
+def test_doctor_says_when_letters_are_not_kerned(monkeypatch, there):
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: object() if there else None)
+    advised = [each.advice for each in doctor.examine() if "uharfbuzz" in each.advice]
+    assert len(advised) == (not there)
 
 
 def test_doctor_survives_a_check_that_fails(monkeypatch, capsys):

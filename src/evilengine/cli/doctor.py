@@ -7,6 +7,7 @@ A line that begins with "!" is something that is missing; the line below it says
 from __future__ import annotations
 
 import argparse
+import importlib.util
 import platform
 import struct
 import sys
@@ -129,6 +130,11 @@ def _fonts() -> Lines:
         yield ("built in, at any size",)
     else:
         yield ("this Pillow has no FreeType, so text is small", "pip install --upgrade Pillow brings one that has it")
+    if importlib.util.find_spec("uharfbuzz") is None:
+        yield (
+            "all pairs of letters stand equally far apart",
+            "pip install uharfbuzz reads what typefaces say of pairs",
+        )
 
 
 CHECKS: dict[str, Callable[[], Lines]] = {
