@@ -81,6 +81,14 @@ def save(name: str, rgb: Field) -> None:
     )
 
 
+def save_normals(name: str, height: Field) -> None:
+    """Which way a surface faces whose points stand so many pixels out of the picture: red right, green up, blue out."""
+    down, across = np.gradient(height)
+    slope = np.dstack([-across, down, np.ones_like(height)])
+    normal = slope / np.linalg.norm(slope, axis=2, keepdims=True)
+    Image.fromarray((normal * 127.0 + 128.5).astype(np.uint8), "RGB").save(FOLDER / name, optimize=True)
+
+
 def hall() -> None:
     """The wall behind it all: old bricks, two arched windows with a moon behind them, light falling in."""
     width, height = 960, 540
@@ -154,7 +162,8 @@ def boulder() -> None:
     rough = noise(side, side, 26, 31)
     ridge = 1 - abs(2 * noise(side, side, 40, 33) - 1)  # where noise crosses its middle: cracks
     crack = np.clip((ridge - 0.93) / 0.05, 0, 1)
-    light = (0.35 + 0.75 * np.clip(-0.5 * u - 0.6 * v + 0.62 * z, 0, 1)) * relief(16 * rough, 0.16) * (1 - 0.5 * crack)
+    light = (0.55 + 0.3 * z) * relief(16 * rough, 0.1) * (1 - 0.5 * crack)
+    save_normals("boulder.normal.png", 50 * z + 16 * rough - 2 * crack)
     save(
         "boulder.png",
         painted((0.50, 0.48, 0.47), light * (0.7 + 0.6 * rough), (0.36, 0.42, 0.30), np.clip(2 * rough - 1, 0, 1)),
@@ -168,11 +177,9 @@ def iron() -> None:
     far = np.hypot(u, v)
     rust = np.clip(2.6 * noise(side, side, 22, 41) - 1.2, 0, 1)
     ring = np.clip(1 - abs(far - 0.78) / 0.05, 0, 1)
-    light = (
-        0.55
-        + 0.45 * np.clip(-0.6 * u - 0.7 * v + 0.6, 0, 1)
-        + 0.25 * np.clip(1 - np.hypot(u + 0.35, v + 0.4) / 0.3, 0, 1)
-    )
+    ball = 50 * np.sqrt(np.clip(1 - u * u - v * v, 0, 1))
+    save_normals("iron.normal.png", ball - 3 * ring)
+    light: Field = np.full((side, side), 0.8)
     light = light * (1 - 0.45 * ring) * (0.85 + 0.3 * noise(side, side, 7, 43))
     for spoke in range(8):
         angle = spoke * np.pi / 4 + 0.2
@@ -188,6 +195,7 @@ def rock() -> None:
     light = (
         (0.7 + 0.25 * layers + 0.5 * (rough - 0.5)) * relief(20 * rough, 0.14) * (0.7 + 0.3 * edges(side, side, 8.0))
     )
+    save_normals("rock.normal.png", 20 * rough + 3 * layers)
     save("rock.png", painted((0.46, 0.44, 0.50), light, (0.62, 0.52, 0.40), np.clip(2.4 * layers * rough - 0.5, 0, 1)))
 
 
