@@ -1,6 +1,7 @@
 // Smoke for Python: handles of gases and their sources. evilengine.world.smoke is the face and has checked what is made.
 #include "bind/buffer.hpp"
 #include "bind/fluid.hpp"
+#include "fluid/looks.hpp"
 #include "fluid/sampling.hpp"
 #include "fluid/scratch.hpp"
 #include "fluid/sources.hpp"
@@ -205,6 +206,20 @@ void bind_samples(nb::class_<SmokeHandle>& c) {
         "All the density in it, times its area in m2.");
 }
 
+using RampOf = std::array<std::uint32_t, fluid::kRamp>;
+
+// A picture of it, as values.image has them.
+nb::bytes paint(const SmokeHandle& h, const RampOf& colours, float scale, bool heat) {
+    const fluid::Smoke& smoke = row(h);
+    nb::bytes bytes =
+        nb::steal<nb::bytes>(PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(4 * smoke.grid.cells())));
+    if (!bytes.is_valid()) throw std::bad_alloc();
+    std::vector<std::uint32_t> pixels(smoke.grid.cells());
+    (heat ? fluid::paint_heat : fluid::paint_density)(smoke, {colours, scale}, pixels);
+    std::memcpy(PyBytes_AsString(bytes.ptr()), pixels.data(), 4 * pixels.size());
+    return bytes;
+}
+
 template <class H> void bind_handle(nb::class_<H>& c) {
     c.def("__init__", [](H* self, std::shared_ptr<World> world, std::uint32_t slot) {
         new (self) H;
@@ -260,6 +275,11 @@ void register_smokes(nb::module_& module) {
         },
         "Divergence before and after the last projection, root mean square, 1/s, from the step after the first call "
         "on.");
+    c.def("_paint", &paint, nb::arg("colours"), nb::arg("scale"), nb::arg("heat"));
+    c.def("_blaze", [](const SmokeHandle& h, float above) {
+        const fluid::Blaze now = fluid::blaze(row(h), above);
+        return std::tuple(now.strength, now.middle.x, now.middle.y, now.size);
+    });
     c.def("_stir", [](const SmokeHandle& h, Pair at, float radius, Pair velocity) {
         fluid::stir(row(h), {std::get<0>(at), std::get<1>(at)}, radius, {std::get<0>(velocity), std::get<1>(velocity)});
     });
@@ -337,6 +357,7 @@ void register_sources(nb::module_& module) {
 } // namespace
 
 void register_smoke(nb::module_& module) {
+    module.attr("RAMP") = fluid::kRamp;
     register_fields(module);
     register_smokes(module);
     register_sources(module);

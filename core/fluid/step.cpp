@@ -25,7 +25,8 @@ void react(Smoke& smoke, float dt) {
         cell.temperature = std::clamp(cell.temperature * warm + gas.heat * burnt, -kMostHeat, kMostHeat);
     }
     if (stays < 1.0f)
-        for (float& part : views.colour) part *= stays;
+        for (std::size_t i = 0; i < views.colour.size(); ++i)
+            if (i % 4 < 3) views.colour[i] *= stays; // the fourth says where there is gas
 }
 
 // What was written from outside may be anything.

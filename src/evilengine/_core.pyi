@@ -2299,6 +2299,8 @@ def manifolds_of_pairs(world: World, dt: float, wide: bool) -> list[tuple[int, i
     For tests: pieces, axis, normal and points (anchor x and y, separation, id) of each contact, found eight at a time or one by one.
     """
 
+RAMP: int = 64
+
 class FieldView:
     """
     A number, or two, for each cell of a smoke, rows from below: a float32 buffer that is not copied and may be written. `numpy.asarray(view)` works; `view[j, i]` is one cell.
@@ -2471,6 +2473,10 @@ class Smoke:
         """
         Divergence before and after the last projection, root mean square, 1/s, from the step after the first call on.
         """
+
+    def _paint(self, colours: Sequence[int], scale: float, heat: bool) -> bytes: ...
+
+    def _blaze(self, arg: float, /) -> tuple[float, float, float, float]: ...
 
     def _stir(self, arg0: tuple[float, float], arg1: float, arg2: tuple[float, float], /) -> None: ...
 

@@ -114,6 +114,7 @@ class Game(Life, GameScreen, Controls, Things):
             surfaces=self._pictures.surface,
             images=self._pictures.images.load,
             fonts=self._pictures.font,
+            renderer=self.renderer,
         )
         self.panel = Panel(lambda: self._inputs.pointer)
         """Values and knobs on the screen for who makes the game; see Panel."""

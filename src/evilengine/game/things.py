@@ -24,15 +24,17 @@ from evilengine.scene import (
 )
 from evilengine.scene.camera import POINTS_A_METRE
 from evilengine.scene.drawing import DEEPEST_LAYER
+from evilengine.scene.gases import LOOKS as SMOKE_LOOKS
 from evilengine.scene.particles import add_particles
 from evilengine.scene.sliced import sliced
-from evilengine.values.checks import did_you_mean, known_keywords, number
+from evilengine.values.checks import did_you_mean, known_keywords, number, refuse_unknown
 from evilengine.values.colour import Colour, ColourLike
 from evilengine.values.errors import ArgumentError, ArgumentTypeError, AssetError
 from evilengine.values.sheet import Sheet
 from evilengine.values.vec2 import Point, to_vec2
 from evilengine.world.character import Character
 from evilengine.world.shapes import Rectangle
+from evilengine.world.smoke import Smoke
 from evilengine.world.world import World
 
 if TYPE_CHECKING:
@@ -141,6 +143,29 @@ class Things:
         20
         """
         return add_particles(self.scene, self.random.getrandbits(64), body, settings)
+
+    def add_smoke(self, area: Any, **options: Any) -> Smoke:
+        """Add smoke that is seen: everything that `world.add_smoke` takes, and looks.
+
+        `ramp` is a list of its colours from thin to thick, the smoke's own colour unless said; `opacity` how much of
+        that a density of 1 shows. Heat shines in the colours of `fire`, from cold to hot, and lights what is round it
+        by a lamp that reaches `light_radius` metres (0: none); `glow` is how bright, 0 for no fire at all. Lights fall
+        on it where it is `lit`; it lies in `layer`.
+
+        >>> game = evil.Game(headless=True)
+        >>> smoke = game.add_smoke((-2, 0, 2, 4), cells=32, ramp=["#0000", "#445a", "#dde"])
+        >>> flame = smoke.add_source(at=(0, 0.5), radius=0.3, fuel=3, temperature=1)
+        """
+        looks = {word: options.pop(word) for word in SMOKE_LOOKS if word in options}
+        known = [word for word in inspect.signature(World.add_smoke).parameters if word not in ("self", "area")]
+        refuse_unknown("Game.add_smoke", [*known, *SMOKE_LOOKS], options)
+        smoke = self.world.add_smoke(area, **options)
+        try:
+            self.scene.gases.add(smoke, looks)
+        except BaseException:
+            smoke.destroy()
+            raise
+        return smoke
 
     def add_light(self, **options: Any) -> Light:
         """Let a light shine on what is `lit`, with soft shadows: everything that `game.lights.add` takes.

@@ -45,6 +45,7 @@ def state_of(scene: Scene) -> tuple[bytes, dict[str, Any]]:
         "layers": scene.layers.state(),
         "post": scene.post.state(),
         "lights": lights_state(scene.lights),
+        "gases": scene.gases.state(),
     }
     return drawings, rest
 
@@ -61,7 +62,8 @@ class SceneState:
         self.places = self._drawings.places
         """(slot, slot of the body, slot of the shape) of each drawing, in the order of creation."""
         self._by_slot = {slot: (body, shape) for slot, body, shape in self.places}
-        self._textures = [_texture(scene, row) for row in rest["textures"]]
+        self._gases = scene.gases.read(rest.get("gases", []))
+        self._textures = [self._gases.texture(row) or _texture(scene, row) for row in rest["textures"]]
         if len(self._textures) != self._drawings.textures:
             raise ValueError("an image for each texture")
         self._clips = [scene._clip_number(_clip(row)) for row in rest["clips"]]
@@ -111,6 +113,7 @@ class SceneState:
         scene.layers.become(self._layers)
         scene.post.become(self._post)
         self._lights.put()
+        self._gases.put()
         self._put_drawings()
         self._put_texts()
 

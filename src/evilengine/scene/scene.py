@@ -12,6 +12,8 @@ from evilengine.scene.camera import Camera, Matrix6
 from evilengine.scene.debug import DebugView
 from evilengine.scene.drawing import Drawing, placement, to_depth, to_layer, to_matrix6
 from evilengine.scene.drawn_body import DrawnBody, show
+from evilengine.scene.gases import Gases
+from evilengine.scene.gases import Textures as PictureKeeper
 from evilengine.scene.layers import Layer, Layers, seen_middle
 from evilengine.scene.lights import Lights, Loads
 from evilengine.scene.particles import Emitter
@@ -61,6 +63,7 @@ class Scene(Shown):
         images: Loads | None = None,
         fonts: Fonts | None = None,
         background: ColourLike = BACKGROUND,
+        renderer: PictureKeeper | None = None,
     ) -> None:
         if not isinstance(world, World):
             raise ArgumentTypeError(f"Scene: world={world!r} must be a World")
@@ -89,6 +92,8 @@ class Scene(Shown):
             tuple[int, int], list[tuple[int, int, int]]
         ] = {}  # by body, which takes its own when asked
         self._from_palette = 0  # how many drawings took a colour of the palette
+        self.gases = Gases(self, renderer)
+        """How the world's smokes are seen."""
         self.lights = Lights(world, images)
         """What shines on drawings that are lit: lamps, spots, suns, and the ambient light."""
         self.background = background
@@ -306,6 +311,7 @@ class Scene(Shown):
     ) -> DrawList:
         """What a camera sees, without what lies over all. Good until the next frame `into` the list of that number."""
         self._core.aim(into)
+        self.gases.refresh()
         view = camera.matrix(screen, scale, alpha)
         eye = seen_middle(view, screen)
         self._core.set_layers(self.layers.rows(eye, camera.zoom), self.layers.depth(screen, camera.zoom))

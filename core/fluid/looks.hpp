@@ -1,0 +1,27 @@
+#pragma once
+// What gas looks like: a picture of its density, and one of its heat as light, each by a ramp of colours.
+#include "fluid/smoke.hpp"
+#include <span>
+
+namespace evil::fluid {
+
+inline constexpr int kRamp = 64;
+
+struct Ramp {
+    std::array<std::uint32_t, kRamp> colours{}; // from nothing to all, 0xAABBGGRR with straight alpha
+    float scale = 1.0f;                         // of a value of 1 the ramp shows 1 - exp(-scale)
+};
+
+// One pixel a cell, rows from the top. Gas of several colours tints the ramp by each cell's own.
+void paint_density(const Smoke& smoke, const Ramp& ramp, std::span<std::uint32_t> pixels);
+void paint_heat(const Smoke& smoke, const Ramp& ramp, std::span<std::uint32_t> pixels);
+
+// Where its fire is and how strong: sums over what is hotter than `above`.
+struct Blaze {
+    float strength = 0.0f; // degrees above, times m2
+    Vec2 middle;
+    float size = 0.0f; // metres from the middle, on average
+};
+Blaze blaze(const Smoke& smoke, float above);
+
+} // namespace evil::fluid

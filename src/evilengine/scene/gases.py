@@ -1,0 +1,188 @@
+"""How smoke is seen: pictures of its density and of its heat, made anew after each step, and the light of its fire."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any, Protocol
+
+from evilengine import _core
+from evilengine.values.checks import number
+from evilengine.values.colour import Colour, to_colour
+from evilengine.values.errors import ArgumentError, ArgumentTypeError
+from evilengine.values.image import Image
+from evilengine.world.shapes import Rectangle
+from evilengine.world.smoke import Smoke
+
+if TYPE_CHECKING:
+    from evilengine.scene.scene import Scene
+
+FIRE = ("#000000", "#240300", "#7a1602", "#dc4a08", "#ff9a24", "#ffdc88", "#fff8e4")
+"""The colours of fire, from none to the hottest; they are added to what lies behind."""
+
+HOT = 0.5
+"""Temperature from which on gas lights what is round it."""
+
+HEAT_SCALE = 0.9
+"""Of a temperature of 1, fire shows 1 - exp(-0.9) of its colours: 0.6 of the way to the hottest."""
+
+KINDS = ("smoke", "fire")
+LOOKS = {"ramp": None, "opacity": 2.0, "fire": None, "glow": 1.0, "layer": 0, "lit": True, "light_radius": 8.0}
+"""What `game.add_smoke` can be told of looks, and what is so unless it is."""
+
+
+class Textures(Protocol):
+    """Who keeps pictures for drawing."""
+
+    def upload(self, image: Image) -> int:
+        """Keep `image` and return its id."""
+
+    def update(self, texture: int, image: Image) -> None:
+        """Show another image wherever `texture` is drawn."""
+
+
+class Look:
+    """One smoke as it is seen: two ramps of colours, two textures, and a light."""
+
+    def __init__(self, slot: int, row: dict[str, Any], textures: Textures) -> None:
+        self.slot = slot
+        self.smoke: Smoke | None = None
+        owner = "Game.add_smoke"
+        self.colours = to_ramp(row["ramp"], owner, "ramp"), to_ramp(row["fire"], owner, "fire")
+        self.opacity = number(row["opacity"], owner, "opacity", above=0.0, most=100.0)
+        self.glow = number(row["glow"], owner, "glow", least=0.0, most=16.0)
+        self.radius = number(row["light_radius"], owner, "light_radius", least=0.0, most=1e4)
+        self.light: int | None = row.get("light")
+        self.step = -1
+        self._tables = [table_of(colours) for colours in self.colours]
+        self._keeper = textures
+        self.textures = [textures.upload(Image.of(1, 1, bytes(4))) for _ in KINDS]
+
+    def paint(self, smoke: Smoke) -> None:
+        """Make its pictures anew."""
+        for kind, table in enumerate(self._tables):
+            scale = HEAT_SCALE if kind else self.opacity
+            self._keeper.update(self.textures[kind], Image.of(*smoke.cells, smoke._paint(table, scale, bool(kind))))
+
+    def state(self) -> dict[str, Any]:
+        """What a saved game keeps of it."""
+        ramp, fire = ([list(colour) for colour in colours] for colours in self.colours)
+        return {
+            "slot": self.slot, "ramp": ramp, "fire": fire, "opacity": self.opacity, "glow": self.glow,
+            "light_radius": self.radius, "light": self.light,
+        }  # fmt: skip
+
+
+class Gases:
+    """The looks of a scene's smokes."""
+
+    def __init__(self, scene: Scene, textures: Textures | None) -> None:
+        self._scene, self._textures = scene, textures
+        self._looks: list[Look] = []
+
+    def add(self, smoke: Smoke, words: dict[str, Any]) -> None:
+        """Show a smoke from now on. What is wrong with the words is raised before anything is shown."""
+        if self._textures is None:
+            raise ArgumentError("Game.add_smoke: this scene has no renderer that smoke could be shown by")
+        row = LOOKS | words
+        own = Colour(*smoke._colour)
+        row["ramp"] = [own.with_alpha(0.0), own.with_alpha(0.95)] if row["ramp"] is None else row["ramp"]
+        row["fire"] = FIRE if row["fire"] is None else row["fire"]
+        look = Look(smoke.slot, row, self._textures)
+        left, bottom, right, top = smoke.area
+        shape, at = Rectangle(right - left, top - bottom), ((left + right) / 2, (bottom + top) / 2)
+        for kind, blend in zip(KINDS, ("normal", "add"), strict=True):
+            if kind == "fire" and look.glow == 0.0:
+                continue
+            lit = bool(row["lit"]) and kind == "smoke"
+            drawing = self._scene.add(shape, at=at, colour="white", blend=blend, lit=lit, layer=row["layer"])
+            texture = look.textures[KINDS.index(kind)]
+            self._scene._texture_names[texture] = name_of(kind, smoke.slot)
+            self._scene._show(drawing._at(), texture, None)
+        look.smoke = smoke
+        self._looks.append(look)
+
+    def refresh(self) -> None:
+        """Bring pictures and lights up to the last step."""
+        self._looks = [look for look in self._looks if look.smoke is not None and look.smoke.alive]
+        steps = self._scene.world.steps
+        for look in self._looks:
+            if look.step != steps and look.smoke is not None:
+                look.step = steps
+                look.paint(look.smoke)
+                self._shine(look, look.smoke)
+
+    def _shine(self, look: Look, smoke: Smoke) -> None:
+        """The fire's lamp: where the heat is, as bright as there is much of it."""
+        if look.glow == 0.0 or look.radius == 0.0:
+            return
+        strength, x, y, size = smoke._blaze(HOT)
+        lights = self._scene.lights
+        if look.light is None and strength > 0.0:  # the first flame
+            look.light = lights.add(at=(x, y), colour="#ff9a50", radius=look.radius)._slot
+        light = None if look.light is None else lights._in_slot(look.light)
+        if light is None or not light.alive:
+            return
+        light.on = strength > 0.0
+        if light.on:
+            light.at = (x, y)
+            light.intensity = min(look.glow * strength**0.5, 4.0)
+            light.size = max(0.5 * size, 0.05)
+
+    # -- saving --
+
+    def state(self) -> list[dict[str, Any]]:
+        """What a saved game keeps of them."""
+        return [look.state() for look in self._looks if look.smoke is not None and look.smoke.alive]
+
+    def read(self, rows: list[dict[str, Any]]) -> SavedGases:
+        """Read what `state` gave; raises what is wrong with it."""
+        if rows and self._textures is None:
+            raise ValueError("smoke in a scene without a renderer")
+        return SavedGases(
+            self, [] if self._textures is None else [Look(int(r["slot"]), r, self._textures) for r in rows]
+        )
+
+
+class SavedGases:
+    """Looks that were read; nothing has changed before `put`."""
+
+    def __init__(self, gases: Gases, looks: list[Look]) -> None:
+        self._gases, self._looks = gases, looks
+        self._by_name = {name_of(kind, look.slot): look.textures[k] for look in looks for k, kind in enumerate(KINDS)}
+
+    def texture(self, name: object) -> int | None:
+        """The texture of the picture that is called so, or None: it is no smoke's."""
+        return self._by_name.get(name) if isinstance(name, str) else None
+
+    def put(self) -> None:
+        """Become what was saved; the world must have been restored."""
+        scene = self._gases._scene
+        smokes = {smoke.slot: smoke for smoke in scene.world.smokes}
+        for look in self._looks:
+            look.smoke = smokes.get(look.slot)
+        scene._texture_names.update({texture: name for name, texture in self._by_name.items()})
+        self._gases._looks = self._looks
+
+
+def name_of(kind: str, slot: int) -> str:
+    """How a saved game calls the picture of a smoke."""
+    return f"{kind}:{slot}"
+
+
+def table_of(colours: Sequence[Colour]) -> list[int]:
+    """A ramp as the core's table: straight lines between its colours."""
+    last, table = len(colours) - 1, []
+    for k in range(_core.RAMP):
+        at = last * k / (_core.RAMP - 1)
+        low = min(int(at), last - 1)
+        table.append(colours[low].mixed(colours[low + 1], at - low).rgba8)
+    return table
+
+
+def to_ramp(colours: object, owner: str, argument: str) -> list[Colour]:
+    """Two colours or more."""
+    if not isinstance(colours, str) and isinstance(colours, Iterable):
+        known = [to_colour(colour, owner, argument) for colour in colours]
+        if len(known) > 1:
+            return known
+    raise ArgumentTypeError(f"{owner}: {argument}={colours!r} must be a list of two or more colours")
