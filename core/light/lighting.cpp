@@ -71,11 +71,13 @@ bool to_lamp(Lamp& lamp, const Light& light, const Slide* slide, const Pose& pos
 
 // A lamp shines out of the bodies that it is in.
 void find_casters(Cast& cast, const Light& light, const Casters& all, const Grid& grid,
-                  std::vector<std::uint32_t>& holders) {
+                  std::vector<std::uint32_t>& holders, std::vector<std::uint32_t>& housings) {
     holders.clear();
     if (!cast.lamp.parallel)
         for (const Caster& caster : all.rows)
             if (holds(all, caster, cast.lamp.at)) holders.push_back(caster.body);
+    housings.insert(housings.end(), holders.begin(), holders.end());
+    if (light.body.slot != kNone) housings.push_back(light.body.slot);
     const Vec2 half = 0.5f * Vec2{static_cast<float>(grid.width), static_cast<float>(grid.height)};
     const Vec2 middle = cast.lamp.parallel ? half : cast.lamp.at;
     const float radius = cast.lamp.parallel ? length(half) : cast.lamp.reach;
@@ -103,6 +105,7 @@ void find_lamps(Scratch& scratch, const Lights& lights, const Look& look, const 
                 float alpha) {
     const bool soft = look.quality != Quality::low;
     scratch.open_count = scratch.shaded_count = 0;
+    scratch.housings.clear();
     scratch.baked.resize(lights.rows.size());
     std::optional<std::uint64_t> still;
     for (std::uint32_t slot = 0; slot < lights.rows.size(); ++slot) {
@@ -118,7 +121,7 @@ void find_lamps(Scratch& scratch, const Lights& lights, const Look& look, const 
         Cast& cast = shadows ? next(scratch.shaded, scratch.shaded_count) : next(scratch.open, scratch.open_count);
         cast.lamp = lamp, cast.baked = nullptr;
         cast.casters.clear(), cast.moving = 0;
-        if (shadows) find_casters(cast, light, scratch.casters, grid, scratch.holders);
+        if (shadows) find_casters(cast, light, scratch.casters, grid, scratch.holders, scratch.housings);
         if (!light.still) continue;
         if (!still) still = sum_of_still(world, scratch.words);
         const auto standing = std::ranges::stable_partition(
@@ -211,6 +214,9 @@ void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& 
         shade(scratch.blocks, std::span(scratch.shaded).first(scratch.shaded_count), field, shaded, world);
         const float t = 1.0f / map.step;
         const Affine from_pixel{t, 0, 0, t, 0.5f - map.first.x * t, 0.5f - map.first.y * t};
+        // What a lamp stands in is in its whole light, and small: it would send out rays that one sees one by one.
+        for (const std::uint32_t body : scratch.housings)
+            if (body < scratch.bounce.colours.size()) scratch.bounce.colours[body] = {};
         if (look.quality == Quality::high)
             add_bounced(scratch.bounce,
                         {grid.stride, grid.height, grid.stride, from_pixel, grid.left, grid.top, open.light[0],

@@ -29,9 +29,10 @@ struct Scratch { // losing it changes nothing
     std::vector<Cast> open, shaded; // lamps without and with shadows
     std::size_t open_count = 0, shaded_count = 0;
     std::vector<Block> blocks;
-    std::vector<std::uint32_t> holders;
-    std::vector<Baked> baked;         // by light
-    std::vector<std::uint32_t> words; // of what stands still
+    std::vector<std::uint32_t> holders;  // bodies that a lamp is in
+    std::vector<std::uint32_t> housings; // those of all lamps, and those that they are on
+    std::vector<Baked> baked;            // by light
+    std::vector<std::uint32_t> words;    // of what stands still
     std::vector<float> planes; // red, green, blue: light of open lamps, then of shaded ones; where directed, ways too
     std::vector<std::uint8_t> solid;
     std::vector<Soft> soft, blurred, other;

@@ -69,9 +69,15 @@ class Lit(Frames):
         game.draw(Rectangle(40, 40), colour="#8a7f74", lit=True, layer=-1, outline=False)
         for number in range(count):
             game.add(
-                Rectangle(SIDE, SIDE) if number % 2 else Circle(SIDE / 2), kind="kinematic", at=somewhere(1.0),
-                velocity=somewhere(0.1), angular_velocity=dice.uniform(-2, 2), colour="#b98b5a", lit=True, outline=False,
-            )  # fmt: skip
+                Rectangle(SIDE, SIDE) if number % 2 else Circle(SIDE / 2),
+                kind="kinematic",
+                at=somewhere(1.0),
+                velocity=somewhere(0.1),
+                angular_velocity=dice.uniform(-2, 2),
+                colour="#b98b5a",
+                lit=True,
+                outline=False,
+            )
         for _ in range(LIGHTS):
             game.add_light(at=somewhere(0.9), radius=4.4, colour=tuple(dice.uniform(0.5, 1) for _ in range(3)))
         game.lights.ambient, game.lights.quality = 0.1, quality
@@ -98,7 +104,7 @@ def show(game: Game) -> None:
 
 
 def measure(most: int, frames: int, patience: float, tell: Callable[[str], None]) -> list[dict[str, Any]]:
-    """A row for each quality of light and one of particles; no more than `most` bodies and fifty times as many specks."""
+    """A row for each quality of light and one of particles; at most `most` bodies and fifty times as many specks."""
     crowd, specks = min(CROWD, most), min(SPECKS, 50 * most)
     made: list[tuple[str, int, Callable[[str], Frames]]] = [
         (f"{LIGHTS} lights, {quality}", crowd, lambda renderer, q=quality: Lit(renderer, crowd, q))  # type: ignore[misc]
