@@ -32,27 +32,30 @@ Bounce bounce_of(const Contact& c, const Bodies& bodies, std::size_t edge, float
 // written.
 bool find_edges(Solver& solver, const Bodies& bodies, Contacts& contacts, float dt) {
     auto& s = contacts.scratch;
-    bool same = true;
-    std::size_t count = 0;
+    std::size_t before = solver.edges.size(), count = 0;
+    solver.edges.resize(std::max(before, s.marks.size()));
     solver.bounces.clear();
-    for_each_marked(s.marks, kMeets, [&](std::uint32_t row) {
-        auto [body_a, body_b] = s.bodies[row];
-        std::uint32_t a = solver.number_of[body_a], b = solver.number_of[body_b];
-        bool a_moves = solver.pushed[a] != 0, b_moves = solver.pushed[b] != 0;
+    Edge* edges = solver.edges.data();
+    const std::uint32_t* number_of = solver.number_of.data();
+    const std::uint8_t* pushed = solver.pushed.data();
+    bool same = true;
+    for (std::uint32_t row = 0; row < s.marks.size(); ++row) {
+        std::uint8_t mark = s.marks[row];
+        if (!(mark & kMeets)) continue;
+        std::uint32_t a = number_of[s.bodies[row].a], b = number_of[s.bodies[row].b];
+        bool a_moves = pushed[a] != 0, b_moves = pushed[b] != 0;
         if (!a_moves && !b_moves) {
-            s.marks[row] |= kTelling; // the solver will not say whether anything has changed
-            return;
+            s.marks[row] = mark | kTelling; // the solver will not say whether anything has changed
+            continue;
         }
-        if (s.marks[row] & kBounces) solver.bounces.push_back(bounce_of(contacts.rows[row], bodies, count, dt));
+        if (mark & kBounces) solver.bounces.push_back(bounce_of(contacts.rows[row], bodies, count, dt));
         std::uint32_t sort = a_moves && b_moves ? 0u : a_moves ? Edge::kWall | Edge::kTurn : Edge::kWall;
         Edge edge{a_moves ? a : b, a_moves ? b : a, sort, row};
-        if (count == solver.edges.size()) solver.edges.push_back(edge), same = false;
-        if (!(solver.edges[count] == edge)) solver.edges[count] = edge, same = false;
+        if (!(edges[count] == edge)) edges[count] = edge, same = false;
         ++count;
-    });
-    same &= solver.edges.size() == count;
+    }
     solver.edges.resize(count);
-    return !same;
+    return !same || count != before;
 }
 
 void place_edges(Solver& solver) {
