@@ -54,7 +54,7 @@ void write_back(Body& b, const SolverBody& s, const Path& path, Rot q) {
 template <class After>
 void write_back_all(Solver& solver, Bodies& bodies, InstructionSet set, Threads& threads, After after) {
     parallel_for(threads, solver.paths.size(), kBodiesAtOnce, [&](std::size_t first, std::size_t last) {
-        double angles[kBodiesAtOnce];
+        double angles[kBodiesAtOnce] = {};
         Rot turned[kBodiesAtOnce];
         for (std::size_t i = first; i < last; ++i)
             angles[i - first] = solver.paths[i].angle + double(solver.bodies[i + 1].turned);
