@@ -25,15 +25,10 @@ constexpr auto kDither = [] {
     return rows;
 }();
 
-// A texel and how far on the way to the next one, in 256ths.
-struct Place {
-    int texel;
-    Factors weight;
-};
-Place place_of(int pixel, float first, float step, int count) {
+LightRows::Place place_of(int pixel, float first, float step, int count) {
     const float at = std::clamp((static_cast<float>(pixel) + 0.5f - first) / step, 0.0f, static_cast<float>(count - 1));
     const int texel = std::min(static_cast<int>(at), std::max(count - 2, 0));
-    return {texel, static_cast<Factors>((at - static_cast<float>(texel)) * 256.0f)};
+    return {texel, std::min(texel + 1, count - 1), static_cast<Factors>((at - static_cast<float>(texel)) * 256.0f)};
 }
 
 Factors mix(Factors a, Factors b, Factors weight) {
@@ -56,6 +51,8 @@ void begin(LightRows& rows, const light::LightMap& map, const Target& target) {
     rows.width = target.width;
     rows.stride = target.width + 8; // read in eights
     rows.between.resize(map.width);
+    rows.columns.resize(target.width);
+    for (int x = 0; x < target.width; ++x) rows.columns[x] = place_of(x, map.first.x, map.step, map.width);
     const auto use = [&](LightRows::Plane& plane, const std::vector<Factors>& texels) {
         plane.texels = &texels;
         plane.factors.resize(static_cast<std::size_t>(rows.stride) * target.height);
@@ -70,14 +67,14 @@ const std::uint32_t* row_of(LightRows& rows, LightRows::Plane& plane, int y) {
     if (plane.ready[y]) return row;
     plane.ready[y] = true;
     const light::LightMap& map = *rows.map;
-    const Place down = place_of(y, map.first.y, map.step, map.height);
+    const LightRows::Place down = place_of(y, map.first.y, map.step, map.height);
     const Factors* above = plane.texels->data() + static_cast<std::size_t>(down.texel) * map.width;
-    const Factors* below = down.texel + 1 < map.height ? above + map.width : above;
+    const Factors* below = plane.texels->data() + static_cast<std::size_t>(down.next) * map.width;
     for (int x = 0; x < map.width; ++x) rows.between[x] = mix(above[x], below[x], down.weight);
+    const Factors* between = rows.between.data();
     for (int x = 0; x < rows.width; ++x) {
-        const Place across = place_of(x, map.first.x, map.step, map.width);
-        const int next = std::min(across.texel + 1, map.width - 1);
-        row[x] = to_ten_bits(mix(rows.between[across.texel], rows.between[next], across.weight));
+        const LightRows::Place& across = rows.columns[x];
+        row[x] = to_ten_bits(mix(between[across.texel], between[across.next], across.weight));
     }
     return row;
 }

@@ -16,6 +16,11 @@ struct LightRows { // scratch of one frame
     int width = 0, stride = 0;
     Plane light, across, down;           // as light_up() and bend() take them
     std::vector<light::Factors> between; // one row of the map
+    struct Place {                       // a texel, the next one, and how far on the way to that, in 256ths
+        int texel, next;
+        light::Factors weight;
+    };
+    std::vector<Place> columns; // where each column of the picture lies in it
 };
 
 void begin(LightRows& rows, const light::LightMap& map, const Target& target);
