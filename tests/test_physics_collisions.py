@@ -224,3 +224,18 @@ def test_a_box_that_falls_on_its_corner_gains_nothing(angle):
     for _ in range(600):
         world.step(STEP)
         assert whole() < first * 1.02
+
+
+@pytest.mark.parametrize("ground", [evil.Rectangle(800, 1), evil.Segment((-400, 0.5), (400, 0.5))], ids=["box", "line"])
+@pytest.mark.parametrize("speed", [2, 20, 60])
+def test_a_ball_that_rolls_neither_sinks_nor_slows_down(
+    speed: float, ground: evil.world.shapes.ShapeDefinition
+) -> None:
+    world = evil.World()
+    world.add(ground, kind="static", at=(0, -0.5))
+    ball = world.add(evil.Circle(0.3), at=(0, 0.3), velocity=(speed, 0), angular_velocity=-speed / 0.3)
+    for _ in range(180):
+        world.step()
+        assert ball.position.y == pytest.approx(0.3, abs=1e-4)
+        assert ball.velocity.y == pytest.approx(0, abs=1e-3)
+    assert ball.velocity.x == pytest.approx(speed, rel=1e-4)

@@ -32,7 +32,8 @@ struct alignas(32) ContactBlock {
     float nx[8], ny[8];       // normal from a to b
     float friction[8];
     float surface_speed[8]; // m/s along the tangent that friction works toward
-    float lag[8];           // 0: the point stays with b, 1: with a; below 0: discs, less one over their radii's sum
+    float lag[8];           // 0: the point stays with b, 1: with a; below 0: discs, less one over their radii's sum,
+                            // or next to nothing for a disc on a flat wall
     float apart_n[8], apart_t[8];                // from the centre of b to that of a: what the arms differ by
     float arm_n[2][8], arm_t[2][8];              // from the centre of b, for each of the two points
     float gap[2][8];                             // metres; negative: overlap

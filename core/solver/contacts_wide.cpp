@@ -203,8 +203,10 @@ EVIL_INLINE void solve_blocks(SolverBody* bodies, ContactBlock* k, Floats inv_h,
     begin(s, bodies, k);
     for (int i = 0; i < n; ++i) {
         s.v[i] = relative<wall>(s.ends[i], s.frame[i]);
+        Floats turned = s.ends[i].b.turned, zero = 0.0f;
+        if (wall) turned = select(load(k[i].lag) < zero, zero, turned); // a disc may roll as it likes: it rises not
         s.turn_a[i] = turn_of(s.ends[i].a.turned);
-        s.turn_b[i] = turn_of(s.ends[i].b.turned);
+        s.turn_b[i] = turn_of(turned);
     }
     auto push = [&](int i, int point, const Arms& arm) {
         Floats gap = separation(load(k[i].gap[point]), s.frame[i], arm, s.turn_a[i], s.turn_b[i]);

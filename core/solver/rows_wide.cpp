@@ -88,6 +88,15 @@ EVIL_INLINE void foretell(const Contact* contacts, const BlockSource& from) {
     }
 }
 
+// A disc on a wall that does not turn is a disc on one without end. A corner just below its body's centre is taken for one
+// too, in the one step in which it is there.
+EVIL_INLINE void note_rolling(ContactBlock& k, Mask maybe) {
+    constexpr float kStraight = 1e-3f, kNoCurve = 1e-30f;
+    Floats bn = load(k.arm_n[0]);
+    Mask discs = maybe & (bn < Floats(0.0f)) & (abs(load(k.arm_t[0])) <= Floats(-kStraight) * bn);
+    store(k.lag, select(discs, Floats(-kNoCurve), load(k.lag)));
+}
+
 EVIL_INLINE void fill_block(const SolverBody* bodies, const Contact* contacts, ContactBlock& k, BlockSource& from) {
     const Contact* each[8];
     for (int i = 0; i < 8; ++i) each[i] = from.contact[i] == kNone ? &kNoContact : contacts + from.contact[i];
@@ -109,6 +118,7 @@ EVIL_INLINE void fill_block(const SolverBody* bodies, const Contact* contacts, C
     store(k.lag, lag_of(float_to_bits(head[0]), wall));
     fill_point(k, from, 0, {p[1], p[2], p[3], p[4], p[5], p[6], p[7]}, frame, s, turned, Ints(0) < count);
     fill_point(k, from, 1, {q[0], q[1], q[2], q[3], q[4], q[5], q[6]}, frame, s, turned, Ints(1) < count);
+    note_rolling(k, (count < Ints(2)) & wall & (s.a[2] == Floats(0.0f)));
 }
 
 struct Told { // what events ask (collider/events.cpp)
