@@ -1,5 +1,6 @@
 #include "collider/seams.hpp"
 #include <algorithm>
+#include <span>
 
 namespace evil {
 namespace {
@@ -134,20 +135,32 @@ void gather(Seams& seams, const Contacts& contacts, const Shapes& shapes, const 
 }
 
 // One that gives way to another may itself be what a third gives way to; were all to go, the last would take its reason along.
-void find_ghosts(Seams& seams, std::uint32_t mover, const Contacts& contacts, const Shapes& shapes,
-                 const Bodies& bodies) {
+void find_ghosts(Seams& seams, std::uint32_t mover, std::span<const Seams::Side> of_whole, const Contacts& contacts,
+                 const Shapes& shapes, const Bodies& bodies) {
     float small = 0.05f * shapes.pieces[mover].reach; // to a grain of sand, millimetres are real
-    for (std::uint32_t i = seams.first[mover]; i != kNone; i = seams.sides[i].next) {
-        const Seams::Side& side = seams.sides[i];
+    for (const Seams::Side& side : of_whole) {
         Touching ghost = seen(side, contacts, shapes, bodies);
         if (ghost.count == 0) continue;
-        for (std::uint32_t j = seams.first[mover]; j != kNone; j = seams.sides[j].next) {
-            const Seams::Side& other = seams.sides[j];
-            if (i == j || other.whole != side.whole) continue;
-            if (!gives_way(shapes, ghost, seen(other, contacts, shapes, bodies), small)) continue;
-            seams.hidden.push_back(side.row);
-            break;
-        }
+        auto hides = [&](const Seams::Side& other) {
+            return other.row != side.row && gives_way(shapes, ghost, seen(other, contacts, shapes, bodies), small);
+        };
+        if (std::ranges::any_of(of_whole, hides)) seams.hidden.push_back(side.row);
+    }
+}
+
+// Only what belongs together hides each other: in a crowd a mover touches many that do not.
+void find_ghosts(Seams& seams, std::uint32_t mover, const Contacts& contacts, const Shapes& shapes,
+                 const Bodies& bodies) {
+    auto& sides = seams.of_one;
+    sides.clear();
+    for (std::uint32_t i = seams.first[mover]; i != kNone; i = seams.sides[i].next) sides.push_back(seams.sides[i]);
+    std::ranges::sort(sides, [](const Seams::Side& s, const Seams::Side& t) {
+        return s.whole != t.whole ? s.whole < t.whole : s.row < t.row;
+    });
+    for (auto from = sides.begin(); from != sides.end();) {
+        auto to = std::find_if(from, sides.end(), [&](const Seams::Side& s) { return s.whole != from->whole; });
+        if (to - from > 1) find_ghosts(seams, mover, {from, to}, contacts, shapes, bodies);
+        from = to;
     }
 }
 

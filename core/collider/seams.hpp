@@ -11,7 +11,7 @@ struct Seams {             // Scratch
         std::uint32_t whole; // the body that the other piece belongs to; kNone: what stands still, all one
         bool from_a;         // the mover is the contact's piece a
     };
-    std::vector<Side> sides;
+    std::vector<Side> sides, of_one;  // all; those of one mover, by whole
     std::vector<std::uint32_t> first; // by piece: its first side, kNone between steps
     std::vector<std::uint32_t> movers;
     std::vector<std::uint32_t> hidden; // rows of contacts that give way
