@@ -234,14 +234,34 @@ def public_calls() -> Iterator[tuple[str, Callable[..., object]]]:
 
 
 NOT_FOR_PEOPLE = {
-    *("Body", "Character", "Shape", "Force", "Contact", "RayHit", "Visit", "Image"),  # the engine makes these
+    *(
+        "Body",
+        "Character",
+        "Shape",
+        "Force",
+        "Contact",
+        "RayHit",
+        "Visit",
+        "Image",
+        "Smoke",
+        "Source",
+    ),  # the engine makes these
     "Game.sprite",  # looks for its image first
-    *("Camera.matrix", "Scene.collect", "Scene.texture_id", "Text.draw", "HeadlessDevice.show", "Drag.apply"),
+    *(
+        "Camera.matrix",
+        "Scene.collect",
+        "Scene.collect_world",
+        "Scene.collect_screen",
+        "Scene.texture_id",
+        "Text.draw",
+        "HeadlessDevice.show",
+        "Drag.apply",
+    ),
     *("Vec2", "Vec2.cross", "Vec2.dot", "Vec2.turned"),  # too often called to look twice
 }
 FIRST = {
     "Game.add": evil.Circle(1), "Game.draw": evil.Circle(1), "DrawnBody.add_shape": evil.Circle(1),
-    "Game.text": "hello",
+    "Game.text": "hello", "Game.add_smoke": (0, 0, 1, 1),
 }  # fmt: skip
 """What must be there before any keyword is looked at."""
 
