@@ -59,12 +59,13 @@ EVIL_INLINE Frame frame_of(const ContactBlock& k, const Ends& e) {
     if (!any(discs)) return f;
     Floats turn = max(-follow, zero) * t; // the normal goes along with the line of their centres, and the arms with it
     Floats shrink = Floats(1.0f) - Floats(0.5f) * (turn * turn);
+    Floats curved = parted + Floats(0.5f) * (turn * t), near = clamp(curved, -most, most);
     return {shrink * (nx + turn * ny),
             shrink * (ny - turn * nx),
-            parted + Floats(0.5f) * (turn * t),
-            select(discs, apart_n, f.apart_n),
+            curved,
+            select(discs, apart_n - near, f.apart_n),
             select(discs, apart_t, f.apart_t),
-            f.lag_n,
+            select(discs, Floats(0.5f) * near, f.lag_n),
             f.lag_t};
 }
 
