@@ -9,10 +9,9 @@ constexpr float kRestitutionSpeed = 0.25f; // m/s: slower impacts do not bounce 
 // What is left of an impact. On the way to it, within the step, the bodies still gain speed. And as velocities change
 // before positions do, a fall by substeps of h arrives slower by half a substep's gain than it should, and a rise that
 // starts at v gets as high as v less that half: with both, a ball that loses nothing keeps its height for ever.
-struct Outcome {
-    float speed = 0.0f; // outward
-    float gathered =
-        0.0f; // of it, what acceleration gives and takes: all but what the impulse of the impact gives back
+struct Outcome { // outward
+    float speed = 0.0f;
+    float gathered = 0.0f; // of it, what acceleration gives and takes; the impulse of the impact gives back the rest
 };
 
 Outcome outcome_of(const Bounce& bounce, float closing, float gap, StepSize step) {
