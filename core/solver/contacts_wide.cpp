@@ -9,6 +9,7 @@ namespace {
 constexpr float kPushSpeed = 3.0f;    // m/s: the fastest that overlap is pushed out; more, and piles burst apart
 constexpr float kMostImpulse = 1e30f; // newton seconds: finite, whatever came in
 constexpr float kStill = 5e-4f; // metres in a step; more, and what slides would be turned by arms of the last substep
+constexpr float kFar = 1e15f;   // metres
 constexpr float kQuarterTurn = 1.5707964f;
 
 struct Row {
@@ -44,17 +45,30 @@ struct Frame {
 };
 
 // Masses are those of the arms at the start of the step: an arm may change by half its length, or pushes would overshoot.
-EVIL_INLINE Floats longest_slide(const ContactBlock& k) {
-    Floats bn = load(k.arm_n[0]);
-    return Floats(0.5f) * min(abs(bn), abs(bn - load(k.apart_n)));
+// What stands still may change by anything.
+struct Slack {
+    Floats a, b;
+};
+
+EVIL_INLINE Slack slack_of(const ContactBlock& k, const Ends& e) {
+    Floats bn = load(k.arm_n[0]), half = 0.5f;
+    return {select(e.a.inv_mass == Floats(0.0f), Floats(kFar), half * abs(bn - load(k.apart_n))), half * abs(bn)};
+}
+
+// Of what the two have slid, what b's arm is shorter by: its share, unless that is more than it, or a's arm, may change by.
+EVIL_INLINE Floats lag_of(Floats share, Floats slid, const Slack& most) {
+    Floats b = clamp(share * slid, -most.b, most.b);
+    return clamp(b, slid - most.a, slid + most.a);
 }
 
 EVIL_INLINE Frame frame_of(const ContactBlock& k, const Ends& e) {
     Floats nx = load(k.nx), ny = load(k.ny), follow = load(k.lag), zero = 0.0f, lag = max(follow, zero);
-    Floats apart_n = load(k.apart_n), apart_t = load(k.apart_t), most = longest_slide(k);
+    Floats apart_n = load(k.apart_n), apart_t = load(k.apart_t);
+    Slack slack = slack_of(k, e);
+    Floats most = slack.a + slack.b;
     Floats x = e.b.moved_x - e.a.moved_x, y = e.b.moved_y - e.a.moved_y, parted = x * nx + y * ny;
     Floats n = clamp(parted, -most, most), t = clamp(x * ny - y * nx, -most, most);
-    Frame f{nx, ny, parted, apart_n - n, apart_t - t, lag * n, lag * t};
+    Frame f{nx, ny, parted, apart_n - n, apart_t - t, lag_of(lag, n, slack), lag_of(lag, t, slack)};
     Mask discs = follow < zero;
     if (!any(discs)) return f;
     Floats turn = max(-follow, zero) * t; // the normal goes along with the line of their centres, and the arms with it

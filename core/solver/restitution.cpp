@@ -4,6 +4,8 @@
 namespace evil {
 namespace {
 
+constexpr float kFar = 1e15f; // metres
+
 constexpr float kRestitutionSpeed = 0.25f; // m/s: slower impacts do not bounce (SPEC C7); at zero, stacks never rest
 
 // What is left of an impact. On the way to it, within the step, the bodies still gain speed. And as velocities change
@@ -63,16 +65,19 @@ Impact impact_at(Solver& solver, Place place) {
     Vec2 n{k.nx[i], k.ny[i]};
     Impact impact{solver.bodies[k.a[i]], solver.bodies[k.b[i]], k, i, n};
     Vec2 moved{impact.b.moved_x - impact.a.moved_x, impact.b.moved_y - impact.a.moved_y};
-    float curve = std::max(-k.lag[i], 0.0f),
-          most = 0.5f * std::min(std::abs(k.arm_n[0][i]), std::abs(k.arm_n[0][i] - k.apart_n[i]));
-    float slid = clamped(dot(moved, right_of(n)), most); // as in contacts_wide.cpp
-    if (curve > 0.0f) {                                  // two discs
+    float curve = std::max(-k.lag[i], 0.0f); // all as in contacts_wide.cpp
+    float most_b = 0.5f * std::abs(k.arm_n[0][i]), most_a = 0.5f * std::abs(k.arm_n[0][i] - k.apart_n[i]);
+    if (impact.a.inv_mass == 0.0f) most_a = kFar;
+    float slid = clamped(dot(moved, right_of(n)), most_a + most_b);
+    float lag = clamped(std::max(k.lag[i], 0.0f) * slid, most_b);
+    lag = std::clamp(lag, slid - most_a, slid + most_a);
+    if (curve > 0.0f) { // two discs
         impact.normal = normalised(n + curve * slid * right_of(n));
         impact.past = curve * slid * slid;
-        slid = 0.0f;
+        slid = lag = 0.0f;
     }
     for (std::size_t p = 0; p < 2; ++p) {
-        impact.arm_b[p] = k.arm_t[p][i] - std::max(k.lag[i], 0.0f) * slid;
+        impact.arm_b[p] = k.arm_t[p][i] - lag;
         impact.arm_a[p] = impact.arm_b[p] - (k.apart_t[i] - slid);
     }
     return impact;
