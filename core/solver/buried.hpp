@@ -2,6 +2,7 @@
 // Bodies that lie inside each other, as where many are made in one place: they come apart, they are not shot apart.
 #include "bodies.hpp"
 #include "collider/contact.hpp"
+#include <compare>
 
 namespace evil {
 
@@ -10,11 +11,15 @@ struct Buried { // Scratch
         std::uint32_t slot;
         float speed, spin; // before the step was solved
     };
-    std::vector<std::uint32_t> slots; // of bodies, once for each deep contact
-    std::vector<Row> rows;            // bodies with several
+    struct Deep {
+        std::uint32_t slot, in; // bodies
+        auto operator<=>(const Deep&) const = default;
+    };
+    std::vector<Deep> deep; // each deep contact
+    std::vector<Row> rows;  // bodies deep in several
 };
 
-// Before a step is solved: note the bodies in which several contacts lie deep.
+// Before a step is solved: note the bodies that lie deep in several others.
 void find_buried(Buried& buried, const Contacts& contacts, const Bodies& bodies);
 
 // After it: overlap gave them no more speed than one contact's push does. Each of many adds one of its own, so a body
