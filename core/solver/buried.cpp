@@ -26,8 +26,8 @@ void find_buried(Buried& buried, const Contacts& contacts, const Bodies& bodies)
     });
     if (buried.deep.size() < kCrowd) return;
     std::ranges::sort(buried.deep);
-    const auto again = std::ranges::unique(buried.deep); // bodies of several pieces touch each other many times
-    buried.deep.erase(again.begin(), again.end());
+    // Bodies of several pieces touch each other many times.
+    buried.deep.erase(std::unique(buried.deep.begin(), buried.deep.end()), buried.deep.end());
     for (std::size_t i = 0, end = 0; i < buried.deep.size(); i = end) {
         std::uint32_t slot = buried.deep[i].slot;
         while (end < buried.deep.size() && buried.deep[end].slot == slot) ++end;
