@@ -128,3 +128,32 @@ def test_a_damaged_snapshot_of_smoke_is_refused() -> None:
         with pytest.raises(evil.SnapshotError):
             world.restore(bytes(broken))
     assert world.checksum() == before
+
+
+def test_what_gathers_is_what_flows_out_of_the_cells() -> None:
+    world = evil.World()
+    smoke = a_box_of_air(world)
+    smoke.add_source(at=(0.5, 0.2), radius=0.1, velocity=(0, 2))
+    smoke._gathering()
+    for _ in range(5):
+        world.step()
+    before, after = smoke._gathering()
+    u, v = (np.pad(np.asarray(smoke.velocity)[..., way], 1, mode="edge") for way in (0, 1))
+    u[:, [0, -1]] *= -1  # walls throw back what goes through them
+    v[[0, -1]] *= -1
+    flow = (u[1:-1, 2:] - u[1:-1, :-2] + v[2:, 1:-1] - v[:-2, 1:-1]) * 0.5 * N
+    assert after == pytest.approx(float(np.sqrt(np.mean(flow**2))), rel=1e-4)
+    assert before > 1.2 * after
+
+
+def test_heat_that_comes_later_is_carried_as_well() -> None:
+    world = evil.World()
+    smoke = a_box_of_air(world)
+    a_source(smoke, velocity=(0, 2))
+    for _ in range(3):
+        world.step()
+    np.asarray(smoke.fuel)[4, 12] = 1.0
+    world.step()
+    fuel = np.asarray(smoke.fuel)
+    assert fuel[5, 12] > 0.01
+    assert np.asarray(smoke.temperature)[4:6, 11:14].max() > 0

@@ -17,11 +17,6 @@ struct PushSum { // of what gas does to one body, over its shores
     float outline = 0.0f; // metres
 };
 
-// How much gathered in the cells before the last projection and after it: root mean square, 1/s.
-struct Gathering {
-    float before = 0.0f, after = 0.0f;
-};
-
 struct Scratch {
     bool laid_out = false;
     bool watched = false; // does anybody ask for `gathering`?

@@ -1,5 +1,6 @@
 #include "fluid/stam.hpp"
 #include <algorithm>
+#include <cmath>
 
 namespace evil::fluid {
 namespace {
@@ -68,15 +69,26 @@ void advect(const Box& box, Edge edge, std::span<float> x, std::span<const float
     set_edges(box, edge, x);
 }
 
+// What gathers in each cell: minus its divergence, times the side of a cell.
+void gather(const Box& box, std::span<const float> u, std::span<const float> v, std::span<float> divergence) {
+    for (int j = 1; j <= box.ny; ++j)
+        for (int i = 1; i <= box.nx; ++i)
+            divergence[box.at(i, j)] =
+                -0.5f * (u[box.at(i + 1, j)] - u[box.at(i - 1, j)] + v[box.at(i, j + 1)] - v[box.at(i, j - 1)]);
+}
+
+float root_mean_square(const Box& box, std::span<const float> x) {
+    double sum = 0.0;
+    for (int j = 1; j <= box.ny; ++j)
+        for (int i = 1; i <= box.nx; ++i) sum += double(x[box.at(i, j)]) * double(x[box.at(i, j)]);
+    return static_cast<float>(std::sqrt(sum / (double(box.nx) * double(box.ny))));
+}
+
 // The part of the field without divergence (thesis 4.5.4: Helmholtz-Hodge): what is left without the pressure's gradient.
 void project(const Box& box, std::span<float> u, std::span<float> v, std::span<float> pressure,
              std::span<float> divergence) {
-    for (int j = 1; j <= box.ny; ++j)
-        for (int i = 1; i <= box.nx; ++i) {
-            divergence[box.at(i, j)] =
-                -0.5f * (u[box.at(i + 1, j)] - u[box.at(i - 1, j)] + v[box.at(i, j + 1)] - v[box.at(i, j - 1)]);
-            pressure[box.at(i, j)] = 0.0f;
-        }
+    gather(box, u, v, divergence);
+    std::ranges::fill(pressure, 0.0f);
     set_edges(box, Edge::copy, divergence);
     set_edges(box, Edge::copy, pressure);
     sweep(box, Edge::copy, pressure, divergence, 1.0f, 4.0f);
@@ -119,6 +131,13 @@ void move_by_stam(const Grid& grid, float viscosity, float dt, std::span<float> 
     project(box, s.u, s.v, s.pressure, s.divergence);
     give(box, s.u, velocity, 2, 0);
     give(box, s.v, velocity, 2, 1);
+}
+
+Gathering gathered_by_stam(const Grid& grid, StamScratch& s) {
+    const Box box{grid.nx, grid.ny};
+    const float before = root_mean_square(box, s.divergence);
+    gather(box, s.u, s.v, s.divergence);
+    return {before / grid.h, root_mean_square(box, s.divergence) / grid.h};
 }
 
 void carry_by_stam(const Grid& grid, float diffusion, float dt, std::span<float> carried, int lanes, int used,

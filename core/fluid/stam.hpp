@@ -10,12 +10,19 @@ namespace evil::fluid {
 
 inline constexpr int kSweeps = 20; // of Gauss-Seidel, as published: more cost time, fewer leave more divergence
 
+// How much gathered in the cells before the last projection and after it: root mean square, 1/s.
+struct Gathering {
+    float before = 0.0f, after = 0.0f;
+};
+
 struct StamScratch {
     std::vector<float> u, v, u_before, v_before, carried, carried_before, pressure, divergence;
 };
 
 // The velocity's step; `velocity`: x and y of each cell, m/s.
 void move_by_stam(const Grid& grid, float viscosity, float dt, std::span<float> velocity, StamScratch& scratch);
+
+Gathering gathered_by_stam(const Grid& grid, StamScratch& scratch);
 
 // Then the step of what it carries: rows of `lanes` floats, of which the first `used` are diffused and moved along.
 void carry_by_stam(const Grid& grid, float diffusion, float dt, std::span<float> carried, int lanes, int used,

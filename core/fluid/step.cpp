@@ -52,6 +52,16 @@ void rise_by_stam(Smoke& smoke, Vec2 gravity, float dt) {
     }
 }
 
+// Density, then heat, then fuel: how many of them there are anywhere.
+int used_lanes(const Views& views) {
+    int used = 1;
+    for (const Cell& cell : views.content) {
+        if (cell.fuel != 0.0f) return 3;
+        if (cell.temperature != 0.0f) used = 2;
+    }
+    return used;
+}
+
 void step_by_stam(Smoke& smoke, std::uint32_t slot, World& world, float dt) {
     Views& views = *smoke.views;
     react(smoke, dt);
@@ -60,7 +70,8 @@ void step_by_stam(Smoke& smoke, std::uint32_t slot, World& world, float dt) {
     std::span<float> content(&views.content[0].density, 4 * views.content.size());
     StamScratch& scratch = smoke.scratch->stam;
     move_by_stam(smoke.grid, smoke.gas.viscosity, dt, views.velocity, scratch);
-    carry_by_stam(smoke.grid, smoke.gas.diffusion, dt, content, 4, 3, scratch);
+    if (smoke.scratch->watched) smoke.scratch->gathering = gathered_by_stam(smoke.grid, scratch);
+    carry_by_stam(smoke.grid, smoke.gas.diffusion, dt, content, 4, used_lanes(views), scratch);
     if (!views.colour.empty()) carry_by_stam(smoke.grid, smoke.gas.diffusion, dt, views.colour, 4, 3, scratch);
     for (float& value : views.velocity) value = clamped(value, kMostFlow);
 }

@@ -7,6 +7,8 @@ that are installed (pip install 'evilengine[bench]'), in the same process and in
   evil bench physics --only growth                 one part: steps, growth, access or memory
   evil bench physics --json numbers.json           the numbers as a file, too
   evil bench draw                                  frames of moving sprites, beside 'evilengine[bench-draw]'
+  evil bench fluid                                 steps of smoke, beside 'evilengine[bench-fluid]'
+  evil bench fluid --size 256 --peer none          one size of smoke, with nobody beside
 """
 
 from __future__ import annotations
@@ -29,7 +31,7 @@ PARTS = ("steps", "growth", "access", "memory")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("what", choices=("physics", "draw"), help="what to measure")
+    parser.add_argument("what", choices=("physics", "draw", "fluid"), help="what to measure")
     parser.add_argument("--only", action="append", choices=PARTS, help="only this part (may be given again)")
     parser.add_argument(
         "--scene", action="append", metavar="NAME", help="only steps of this scene (may be given again)"
@@ -59,14 +61,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(args: argparse.Namespace) -> int:
     if args.what == "draw":
         return _draw(args)
+    if args.what == "fluid":
+        return _fluid(args)
     from evilengine.bench.scene import SCENES, find
 
     scenes = [find(name) for name in args.scene] if args.scene else list(SCENES.values())
     if args.size is not None and len(scenes) != 1:
         raise ArgumentError("--size is of one scene; name it with --scene")
-    target = Path(args.json) if args.json else None
-    if target is not None and not target.parent.is_dir():
-        raise ArgumentError(f"--json {args.json}: there is no folder {target.parent}")
+    target = _target(args.json)
     peers = _peers(args.peer)
     parts = args.only or (("steps",) if args.scene else PARTS)
     numbers: dict[str, Any] = {"machine": _machine()}
@@ -78,9 +80,7 @@ def run(args: argparse.Namespace) -> int:
         _access(peers, numbers)
     if "memory" in parts:
         _memory(numbers)
-    if target is not None:
-        target.write_text(json.dumps(numbers, indent=1) + "\n")
-        print(f"\nwritten to {target}")
+    _write(target, numbers)
     return 0
 
 
@@ -91,6 +91,7 @@ def _draw(args: argparse.Namespace) -> int:
     from evilengine.values.checks import one_of
 
     names = [] if args.peer == ["none"] else [one_of(name, "bench", "--peer", PEERS) for name in args.peer or PEERS]
+    target = _target(args.json)
     counts = drawing.COUNTS if args.size is None else (args.size,)
     rows, missing = drawing.measure(counts, args.steps or 20, names, args.patience, tell)
     said = f"{SIZE[0]} x {SIZE[1]}, with lights {lit.SIZE[0]} x {lit.SIZE[1]}"
@@ -104,10 +105,39 @@ def _draw(args: argparse.Namespace) -> int:
     print(f"seconds from a process's start to a level's first frame: {said}")
     if missing:
         print(f"left out: {'; '.join(missing)}")
-    if args.json:
-        numbers = {"machine": _machine(), "draw": rows, "first_frame": first, "left_out": missing}
-        Path(args.json).write_text(json.dumps(numbers, indent=1) + "\n")
+    _write(target, {"machine": _machine(), "draw": rows, "first_frame": first, "left_out": missing})
     return 0
+
+
+def _fluid(args: argparse.Namespace) -> int:
+    from evilengine.bench import gas
+    from evilengine.bench.gas_peers import PEERS
+    from evilengine.bench.physics import threads_to_try
+    from evilengine.values.checks import one_of
+
+    names = [] if args.peer == ["none"] else [one_of(name, "bench", "--peer", PEERS) for name in args.peer or PEERS]
+    target = _target(args.json)
+    sizes = gas.SIZES if args.size is None else (args.size,)
+    rows, missing = gas.measure(sizes, args.steps, args.warm, threads_to_try(args.threads), names, args.patience, tell)
+    print(gas.tables_of(rows))
+    if missing:
+        print(f"left out: {'; '.join(missing)}")
+    _write(target, {"machine": _machine(), "smoke": rows, "left_out": missing})
+    return 0
+
+
+def _target(name: str | None) -> Path | None:
+    """The file for the numbers, whose folder there must be before anything is measured."""
+    target = Path(name) if name else None
+    if target is not None and not target.parent.is_dir():
+        raise ArgumentError(f"--json {name}: there is no folder {target.parent}")
+    return target
+
+
+def _write(target: Path | None, numbers: dict[str, Any]) -> None:
+    if target is not None:
+        target.write_text(json.dumps(numbers, indent=1) + "\n")
+        print(f"\nwritten to {target}")
 
 
 def tell(text: str) -> None:
