@@ -1,41 +1,10 @@
 #include "fluid/flow_wide.hpp"
-#include "math/wide.hpp"
+#include "fluid/spots_wide.hpp"
 
 namespace evil::EVIL_ISA {
 
 using fluid::Faces;
 using fluid::Plan;
-
-namespace {
-
-struct Spot { // between four numbers of a field
-    Ints at;
-    Floats s, t;
-};
-
-EVIL_INLINE Spot spot(Floats x, Floats y, int columns, int rows, std::ptrdiff_t stride) {
-    x = clamp(x, 0.0f, static_cast<float>(columns - 1));
-    y = clamp(y, 0.0f, static_cast<float>(rows - 1));
-    const Ints i = min(to_int(x), Ints(columns - 2)), j = min(to_int(y), Ints(rows - 2));
-    return {j * Ints(static_cast<std::int32_t>(stride)) + i, x - to_float(i), y - to_float(j)};
-}
-
-struct Four {
-    Floats a, b, c, d; // below left and right, above left and right
-};
-EVIL_INLINE Four four(const float* field, const Spot& at, std::ptrdiff_t stride) {
-    return {gather(field, at.at), gather(field + 1, at.at), gather(field + stride, at.at),
-            gather(field + stride + 1, at.at)};
-}
-EVIL_INLINE Floats between(const Four& f, const Spot& at) {
-    const Floats low = f.a + at.s * (f.b - f.a), high = f.c + at.s * (f.d - f.c);
-    return low + at.t * (high - low);
-}
-
-EVIL_INLINE Floats columns_from(int i) { return to_float(lane_numbers() + Ints(i)); }
-EVIL_INLINE int lanes_of(int i, int columns) { return columns - i < kLanes ? columns - i : kLanes; }
-
-} // namespace
 
 void centre_flow(const Plan& plan, const float* u, const float* v, float* x, float* y, int first, int last) noexcept {
     for (int j = first; j < last; ++j)
@@ -54,11 +23,11 @@ void trace_back(const Plan& plan, const float* x, const float* y, float cells, f
         for (int i = 0; i < plan.nx; i += kLanes) {
             const std::ptrdiff_t at = j * plan.stride + i;
             const Floats half(0.5f * cells);
-            const Spot middle =
-                spot(columns_from(i) - half * load(x + at), row - half * load(y + at), plan.nx, plan.ny, plan.stride);
+            const Spots middle = spots_of(columns_from(i) - half * load(x + at), row - half * load(y + at), plan.nx,
+                                          plan.ny, plan.stride);
             const int count = lanes_of(i, plan.nx);
-            store_first(to_x + i, count, Floats(cells) * between(four(x, middle, plan.stride), middle));
-            store_first(to_y + i, count, Floats(cells) * between(four(y, middle, plan.stride), middle));
+            store_first(to_x + i, count, Floats(cells) * between(corners(x, middle, plan.stride), middle.s, middle.t));
+            store_first(to_y + i, count, Floats(cells) * between(corners(y, middle, plan.stride), middle.s, middle.t));
         }
         to_x[-1] = to_x[0], to_y[-1] = to_y[0]; // for the faces at the edges
         to_x[plan.nx] = to_x[plan.nx - 1], to_y[plan.nx] = to_y[plan.nx - 1];
@@ -71,12 +40,12 @@ void carry_faces(const Plan& plan, const Faces& f, const float* dx, const float*
             const std::ptrdiff_t at = j * plan.stride + i;
             const Floats x = columns_from(i) - Floats(0.5f) * (load(dx + at) + load(dx + at - f.beside));
             const Floats y = Floats(static_cast<float>(j)) - Floats(0.5f) * (load(dy + at) + load(dy + at - f.beside));
-            const Spot from = spot(x, y, f.columns, f.rows, plan.stride);
-            const Four four_values = four(f.value, from, plan.stride);
+            const Spots from = spots_of(x, y, f.columns, f.rows, plan.stride);
+            const Corners four = corners(f.value, from, plan.stride);
             const int count = lanes_of(i, f.columns);
-            store_first(f.carried + at, count, between(four_values, from));
-            store_first(f.low + at, count, min(min(four_values.a, four_values.b), min(four_values.c, four_values.d)));
-            store_first(f.high + at, count, max(max(four_values.a, four_values.b), max(four_values.c, four_values.d)));
+            store_first(f.carried + at, count, between(four, from.s, from.t));
+            store_first(f.low + at, count, least_of(four));
+            store_first(f.high + at, count, most_of(four));
         }
 }
 
@@ -86,8 +55,8 @@ void correct_faces(const Plan& plan, const Faces& f, const float* dx, const floa
             const std::ptrdiff_t at = j * plan.stride + i;
             const Floats x = columns_from(i) + Floats(0.5f) * (load(dx + at) + load(dx + at - f.beside));
             const Floats y = Floats(static_cast<float>(j)) + Floats(0.5f) * (load(dy + at) + load(dy + at - f.beside));
-            const Spot to = spot(x, y, f.columns, f.rows, plan.stride);
-            const Floats back = between(four(f.carried, to, plan.stride), to);
+            const Spots to = spots_of(x, y, f.columns, f.rows, plan.stride);
+            const Floats back = between(corners(f.carried, to, plan.stride), to.s, to.t);
             const Floats value = load(f.carried + at) + Floats(0.5f) * (load(f.value + at) - back);
             store_first(f.result + at, lanes_of(i, f.columns), clamp(value, load(f.low + at), load(f.high + at)));
         }
