@@ -29,4 +29,5 @@ NB_MODULE(_core, module) {
     evil::bind::register_mixer(module);
     evil::bind::register_collider(module);
     evil::bind::register_smoke(module);
+    evil::bind::register_water(module);
 }

@@ -27,6 +27,7 @@ void register_particles(nb::module_& module);
 void register_light(nb::module_& module);
 void register_mixer(nb::module_& module);
 void register_collider(nb::module_& module);
+void register_water(nb::module_& module);
 void register_smoke(nb::module_& module);
 
 } // namespace evil::bind

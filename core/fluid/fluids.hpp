@@ -9,20 +9,26 @@ namespace evil {
 struct World;
 using SmokeRef = Ref<struct SmokeTag>;
 using SourceRef = Ref<struct SourceTag>;
+using WaterRef = Ref<struct WaterTag>;
+using StreamRef = Ref<struct StreamTag>;
 
 namespace fluid {
 struct Smoke;
 struct Source;
+struct Water;
+struct Stream;
 } // namespace fluid
 
 struct Fluids { // State: rows by slot
     Fluids();
     ~Fluids();
-    Slots smoke_slots, source_slots;
+    Slots smoke_slots, source_slots, water_slots, stream_slots;
     std::vector<std::unique_ptr<fluid::Smoke>> smokes;
     std::vector<fluid::Source> sources; // of all of them
+    std::vector<std::unique_ptr<fluid::Water>> waters;
+    std::vector<fluid::Stream> streams; // into and out of them
     std::uint64_t next_serial = 0;
-    bool any() const { return smoke_slots.count() > 0; }
+    bool any() const { return smoke_slots.count() > 0 || water_slots.count() > 0; }
 };
 
 // One step of all of them: bodies are in their way, push and are pushed, before the solver moves the bodies.

@@ -1,5 +1,6 @@
 #include "fluid/smoke.hpp"
 #include "fluid/scratch.hpp"
+#include "fluid/water/water.hpp"
 #include "world.hpp"
 
 namespace evil {

@@ -44,6 +44,7 @@ public:
     std::span<const Wall> walls_across() const { return walls_across_; }
     std::span<const Wall> walls_up() const { return walls_up_; }
     std::span<const Shore> shores() const { return shores_; }
+    const Field& distance() const { return distance_; } // cells, at corners; negative inside a body; 1e30 far from any
     bool any() const { return !pieces_.empty(); }
 
 private:

@@ -1,6 +1,7 @@
 // One step of each smoke, in the order of their slots.
 #include "fluid/flow.hpp"
 #include "fluid/sources.hpp"
+#include "fluid/water/water.hpp"
 #include "world.hpp"
 #include <algorithm>
 
@@ -152,6 +153,7 @@ void step(Smoke& smoke, std::uint32_t slot, World& world, float dt) {
 void step_fluids(World& world, float dt) {
     for (std::uint32_t slot = 0; slot < world.fluids.smoke_slots.size(); ++slot)
         if (world.fluids.smoke_slots.taken(slot)) fluid::step(*world.fluids.smokes[slot], slot, world, dt);
+    fluid::step_waters(world, dt);
 }
 
 } // namespace evil

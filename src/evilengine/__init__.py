@@ -42,6 +42,7 @@ from evilengine.world.sensors import Visit
 from evilengine.world.shapes import Capsule, Chain, Circle, Particle, Polygon, Rectangle, Segment, Triangle
 from evilengine.world.smoke import Smoke, Source
 from evilengine.world.traits import ALL
+from evilengine.world.water import Water
 from evilengine.world.world import World
 
 if TYPE_CHECKING:
@@ -91,6 +92,7 @@ __all__ = [
     "Triangle",
     "Vec2",
     "Visit",
+    "Water",
     "World",
     "joints",
     "math",

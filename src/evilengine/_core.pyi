@@ -2557,3 +2557,59 @@ class Source:
     def _destroy(self) -> None: ...
 
 def add_source(world: World, *, smoke: int, body: int, shape: ShapeSpec, at: object, angle: float, rate: float, fuel: float, temperature: float, velocity: object | None, colour: tuple[float, float, float]) -> int: ...
+
+class ParticleView:
+    """
+    Two numbers for each particle of a water: a float32 buffer that is not copied and may be written. `numpy.asarray(view)` works.
+    """
+
+    def __len__(self) -> int: ...
+
+class Water:
+    """A handle of a water: its slot and generation."""
+
+    def __init__(self, arg0: World, arg1: int, /) -> None: ...
+
+    @property
+    def alive(self) -> bool:
+        """False once it was destroyed, or restored away."""
+
+    @property
+    def slot(self) -> int:
+        """Row of this object in the world's arrays."""
+
+    @property
+    def generation(self) -> int:
+        """How often that row has been taken and freed."""
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __hash__(self) -> int: ...
+
+    def _bury(self, arg: int, /) -> None: ...
+
+    @property
+    def count(self) -> int:
+        """How many particles it has."""
+
+    @property
+    def positions(self) -> ParticleView:
+        """
+        Where the particles are, (count, 2) metres; a step changes their order.
+        """
+
+    @property
+    def velocities(self) -> ParticleView:
+        """How they move, (count, 2) m/s, in the same order."""
+
+    @property
+    def particle_size(self) -> float:
+        """Metres: a particle is a square of that side."""
+
+    def _fill(self, arg0: Sequence[float], arg1: tuple[float, float], /) -> int: ...
+
+    def _destroy(self) -> None: ...
+
+def add_water(world: World, *, nx: int, ny: int, low: tuple[float, float], particle_size: float, open: Sequence[bool], density: float, viscosity: float, surface_tension: float, colour: tuple[float, float, float]) -> int: ...
+
+def water_slots(arg: World, /) -> list[int]: ...

@@ -22,9 +22,9 @@ from evilengine.world.joints import BrokenJoint, Joint, Joints
 from evilengine.world.joints.joint import bury_joints, enter
 from evilengine.world.queries import Queries
 from evilengine.world.shapes import ShapeDefinition
-from evilengine.world.smoke import Fluids
 from evilengine.world.stepping import StepInProgress
 from evilengine.world.traits import Side
+from evilengine.world.water import Fluids, Waters
 
 MAX_STEP = 1.0
 """Seconds: the longest step. A longer one is a mistake in units."""
@@ -33,7 +33,7 @@ AnyForce = TypeVar("AnyForce", bound=Force)
 AnyJoint = TypeVar("AnyJoint", bound=Joint)
 
 
-class World(Queries, Happenings, Cast, Fluids):
+class World(Queries, Happenings, Cast, Waters):
     """Bodies, forces and contacts, and the step that moves them.
 
     `gravity` in m/s2; `sleep` lets bodies that rest cost nothing; `threads` is how many threads a step may use (the
@@ -447,4 +447,4 @@ class World(Queries, Happenings, Cast, Fluids):
         return f"<World, {len(self.bodies)} bodies, step {self.steps}>"
 
 
-make_up(World, Queries, Happenings, Cast, Fluids)
+make_up(World, Queries, Happenings, Cast, Fluids, Waters)

@@ -1,0 +1,109 @@
+#include "fluid/water/scratch.hpp"
+#include "world.hpp"
+#include <algorithm>
+
+namespace evil::fluid {
+
+Water::Water() = default;
+Water::~Water() = default;
+
+std::unique_ptr<Water> make_water(const Grid& grid, float particle_size) {
+    auto water = std::make_unique<Water>();
+    water->grid = grid;
+    water->particle_size = particle_size;
+    water->particles = std::make_shared<Particles>(0);
+    water->liquids.resize(1);
+    water->pressure.lay_out(grid);
+    water->scratch = std::make_unique<WaterScratch>();
+    return water;
+}
+
+WaterRef add_water(World& world, std::unique_ptr<Water> water) {
+    Fluids& all = world.fluids;
+    std::uint32_t slot = all.water_slots.take();
+    if (slot >= all.waters.size()) all.waters.resize(slot + 1);
+    water->serial = all.next_serial++;
+    water->born = world.steps;
+    all.waters[slot] = std::move(water);
+    return {slot, all.water_slots.generation(slot)};
+}
+
+void destroy_water(World& world, std::uint32_t water) {
+    Fluids& all = world.fluids;
+    for (std::uint32_t i = 0; i < all.stream_slots.size(); ++i)
+        if (all.stream_slots.taken(i) && all.streams[i].water == water) {
+            all.streams[i] = {};
+            all.stream_slots.release(i);
+        }
+    all.waters[water].reset();
+    all.water_slots.release(water);
+}
+
+bool make_room(Water& water, std::size_t count) {
+    if (count > kMostParticles) return false;
+    const Particles& now = *water.particles;
+    if (count <= now.capacity) return true;
+    auto more =
+        std::make_shared<Particles>(std::min(std::max<std::size_t>({256, 2 * now.capacity, count}), kMostParticles));
+    const auto n = static_cast<std::ptrdiff_t>(water.count);
+    std::copy_n(now.positions.begin(), 2 * n, more->positions.begin());
+    std::copy_n(now.velocities.begin(), 2 * n, more->velocities.begin());
+    std::copy_n(now.affine.begin(), 4 * n, more->affine.begin());
+    std::copy_n(now.liquid.begin(), n, more->liquid.begin());
+    water.particles = std::move(more);
+    return true;
+}
+
+namespace {
+
+struct Box {
+    Vec2 low, high;
+};
+
+Box box_of(const Area& area) {
+    const Vec2 r{area.radius, area.radius};
+    if (area.radius > 0.0f) return {area.centre - r, area.centre + r};
+    Box box{area.parts[0][0], area.parts[0][0]};
+    for (const auto& part : area.parts)
+        for (Vec2 corner : part) box.low = min(box.low, corner), box.high = max(box.high, corner);
+    return box;
+}
+
+} // namespace
+
+std::size_t fill(World& world, Water& water, const Area& area, std::uint32_t liquid, Vec2 velocity) {
+    const Grid& g = water.grid;
+    const float size = water.particle_size;
+    const int wide = static_cast<int>(kCellsOfParticle) * g.nx, high = static_cast<int>(kCellsOfParticle) * g.ny;
+    auto place = [&](float at, int most) {
+        return static_cast<int>(std::clamp(at / size, 0.0f, static_cast<float>(most)));
+    };
+    std::vector<bool> full(static_cast<std::size_t>(wide) * static_cast<std::size_t>(high), false);
+    auto spot = [&](int i, int j) {
+        return static_cast<std::size_t>(j) * static_cast<std::size_t>(wide) + static_cast<std::size_t>(i);
+    };
+    for (std::size_t k = 0; k < water.count; ++k)
+        full[spot(place(water.particles->positions[2 * k] - g.low.x, wide - 1),
+                  place(water.particles->positions[2 * k + 1] - g.low.y, high - 1))] = true;
+    update_banks(world, water);
+    const Box box = box_of(area);
+    const int left = place(box.low.x - g.low.x, wide - 1), right = place(box.high.x - g.low.x, wide - 1);
+    const int low = place(box.low.y - g.low.y, high - 1), top = place(box.high.y - g.low.y, high - 1);
+    std::size_t come = 0;
+    for (int j = low; j <= top; ++j)
+        for (int i = left; i <= right; ++i) {
+            const Vec2 at = g.low + size * Vec2{static_cast<float>(i) + 0.5f, static_cast<float>(j) + 0.5f};
+            if (full[spot(i, j)] || !contains(area, at) || banks_distance(water, at) < 0.25f * size) continue;
+            if (!make_room(water, water.count + 1)) return come;
+            Particles& p = *water.particles;
+            const std::size_t k = water.count++;
+            p.positions[2 * k] = at.x, p.positions[2 * k + 1] = at.y;
+            p.velocities[2 * k] = velocity.x, p.velocities[2 * k + 1] = velocity.y;
+            std::fill_n(p.affine.begin() + static_cast<std::ptrdiff_t>(4 * k), 4, 0.0f);
+            p.liquid[k] = static_cast<std::uint8_t>(liquid);
+            ++come;
+        }
+    return come;
+}
+
+} // namespace evil::fluid
