@@ -210,6 +210,14 @@ def test_a_background_covers_the_screen_and_moves_by_its_parallax(stripes: Path)
     assert (picture(game)[80, :150, 0] == before[50:200]).mean() > 0.97
 
 
+def test_a_very_wide_background_is_repeated_as_often_as_there_is_room(tmp_path: Path) -> None:
+    Image.of(4000, 3, b"\xff\0\0\xff" * 12000).save(tmp_path / "wide.png")
+    game = quiet(folder=tmp_path)
+    assert game.add_background("wide.png", parallax=0.4) is not None
+    game.camera.position = (300, 0)
+    assert picture(game)[0, 0].tolist() == [255, 0, 0, 255]
+
+
 def test_backgrounds_lie_in_the_order_in_which_they_were_added(stripes: Path) -> None:
     game = quiet(folder=stripes)
     layers = [game.add_background("stripes.png", parallax=p, height=1).layer for p in (0.1, 0.2, 0.5)]  # type: ignore[union-attr]

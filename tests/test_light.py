@@ -74,6 +74,23 @@ def test_lights_add_up_in_linear_light():
     assert np.abs(light_of(many)[0] - 3 * light_of(one)[0]).max() < 0.01
 
 
+@pytest.mark.parametrize("zoom", [1, 4])
+def test_round_shapes_cast_round_shadows_however_large_they_are(zoom):
+    """A pill and a disc of the same radius hide the same from where only the end of the pill is in the way."""
+    found = []
+    for shape in (evil.Capsule((-4, 0), (0, 0), 2.0), evil.Circle(2.0), evil.Rectangle(4, 4, rounding=2.0)):
+        game = lit_game()
+        game.lights.quality = "medium"
+        game.camera.position, game.camera.zoom = (2.6, -0.5), zoom
+        game.add(shape, at=(0, 0), kind="static")
+        game.add_light(at=(2.4, 1.6), size=0.1, radius=100, falloff=0)
+        light, places = light_of(game)
+        at = (places - np.array(game.camera.position)) / zoom + np.array(game.camera.position)
+        found.append(np.where(np.hypot(*np.moveaxis(at, -1, 0)) > 2.1, light[..., 0], 0))
+    for other in found[1:]:
+        assert np.abs(found[0] - other).max() < 0.1
+
+
 def test_a_light_without_shadows_shines_through():
     game, lamp, _ = shadow_scene()
     lamp.shadows = False

@@ -124,6 +124,20 @@ def test_each_quality_is_measured_once_there_is_light() -> None:
     assert min(costs.values()) > 0
 
 
+def test_the_light_of_all_views_is_measured() -> None:
+    game = lit()
+    game.lights.quality = "low"
+    game.capture()
+    one = game.lights._measure()["high"]
+    game.split(*(game.add(evil.Circle(0.1), at=(x, 0)) for x in (-1, 0, 1, 2)))
+    for view in game.views:
+        view.area = "all"
+    game.capture()
+    assert len(game.lights._asked) == 4
+    assert game.lights._cost is not None
+    assert 2.0 * one < game.lights._measure()["high"] < 8.0 * one
+
+
 def test_a_quality_that_there_is_not_is_refused() -> None:
     with pytest.raises(evil.ArgumentError, match=r"quality='best' must be one of"):
         lit().lights.quality = "best"

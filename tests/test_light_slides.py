@@ -16,6 +16,7 @@ from surfaces import plain, write
 import evilengine as evil
 from evilengine import _core
 from evilengine.game import saving
+from evilengine.platform import HeadlessDevice
 
 
 def panes(folder: Path) -> None:
@@ -146,6 +147,36 @@ def test_saved_lights_shine_through_their_pictures(tmp_path: Path) -> None:
     with pytest.raises(evil.Error, match=r"panes\.png"):
         saving.from_bytes(third, data, "saved")
     assert len(third.lights) == 0
+
+
+def test_a_changed_picture_is_shone_through_and_a_broken_one_is_not(tmp_path: Path) -> None:
+    game = window(tmp_path, static=True)
+    assert light_at(game, *CORNERS)[0] == RED
+    plain(tmp_path / "panes.png", (255, 255, 255), size=3)
+    assert game.reload_images() == []
+    assert light_at(game, *CORNERS) == [(1, 1, 1)] * 4
+    (tmp_path / "panes.png").write_bytes(b"no picture")
+    (line,) = game.reload_images()
+    assert "panes.png" in line
+    (tmp_path / "panes.png").unlink()
+    assert game.reload_images() == []
+    assert light_at(game, *CORNERS) == [(1, 1, 1)] * 4
+    assert [light.texture for light in game.lights] == ["panes.png"]
+
+
+def test_dense_screens_shine_through_the_finer_picture(tmp_path: Path) -> None:
+    panes(tmp_path)
+    plain(tmp_path / "panes@2x.png", (255, 255, 0), size=64)
+    found = []
+    for scale in (1.0, 2.0):
+        game = evil.Game(device=HeadlessDevice((320, 180), scale=scale), renderer="soft", folder=tmp_path)
+        game.draw(evil.Rectangle(200, 200), colour="white", lit=True, outline=False)
+        game.ambient = 0
+        game.add_light(at=(0, 0), radius=2, texture="panes.png")
+        pixels = np.asarray(game.capture().pixels)
+        found.append([tuple(pixels[int(scale * (90 - 50 * y)), int(scale * (160 + 50 * x)), :3]) for x, y in CORNERS])
+    assert found[0] == [(255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 255, 0)]
+    assert found[1] == [(255, 255, 0)] * 4
 
 
 def slides(folder: Path, renderer: str = "soft") -> evil.Game:

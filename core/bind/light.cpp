@@ -46,11 +46,20 @@ template <auto member, class Class> void field(Class& c, const char* name) {
           slot, generation, nb::arg("value"));
 }
 
+light::Slide to_slide(nb::handle pixels, long width, long height, const char* who) {
+    const Bytes bytes(pixels, false, who, "pixels");
+    check_picture(bytes, width, height, who);
+    return light::make_slide(bytes.data(), static_cast<int>(width), static_cast<int>(height));
+}
+
 std::uint32_t add_slide(LightsBox& box, nb::handle pixels, long width, long height) {
-    const Bytes bytes(pixels, false, "Lights.add_slide", "pixels");
-    check_picture(bytes, width, height, "Lights.add_slide");
-    box.lights.slides.push_back(light::make_slide(bytes.data(), static_cast<int>(width), static_cast<int>(height)));
+    box.lights.slides.push_back(to_slide(pixels, width, height, "Lights.add_slide"));
     return static_cast<std::uint32_t>(box.lights.slides.size() - 1);
+}
+
+void change_slide(LightsBox& box, std::uint32_t slide, nb::handle pixels, long width, long height) {
+    if (slide >= box.lights.slides.size()) raise(ErrorKind::argument, "Lights.change_slide: there is no such slide");
+    box.lights.slides[slide] = to_slide(pixels, width, height, "Lights.change_slide");
 }
 
 bool collect(LightsBox& box, const SceneBox& scene, World& world, const Matrix6& view, double alpha, int width,
@@ -220,6 +229,8 @@ void register_light(nb::module_& module) {
     field<&Light::still>(c, "still");
     c.def("add_slide", &add_slide, nb::arg("pixels"), nb::arg("width"), nb::arg("height"),
           "A picture of straight r, g, b, a that lights may shine through; its number.");
+    c.def("change_slide", &change_slide, nb::arg("slide"), nb::arg("pixels"), nb::arg("width"), nb::arg("height"),
+          "Another picture in its place.");
     c.def("restore", &restore, nb::arg("world"), nb::arg("slots"), nb::arg("serials"), nb::arg("bodies"),
           nb::arg("next_serial"), "Become lights in these slots, as new ones are; their references.");
     c.def("collect", &collect, nb::arg("scene"), nb::arg("world"), nb::arg("view"), nb::arg("alpha"), nb::arg("width"),

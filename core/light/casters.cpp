@@ -8,23 +8,27 @@
 namespace evil::light {
 namespace {
 
-constexpr double kBend =
-    kPi / 8; // a skin's round corner becomes a polygon's, which bends by so much at most: 2% flatter
+// A skin's round corner becomes a polygon's, which bends by so much at most: 2% flatter, and an eighth of a texel where
+// that is less, down to the finest bend.
+constexpr double kBend = kPi / 8, kFinestBend = kPi / 64;
 
-// The arc round a corner from one edge's normal to the next one's, and both its ends.
-void add_arc(std::vector<Vec2>& to, Vec2 corner, float radius, Vec2 before, Vec2 after, const Affine& to_texel) {
+double bend_of(float texels) { return std::clamp(1.0 / std::sqrt(double{texels}), kFinestBend, kBend); }
+
+// The arc round a corner from one edge's normal to the next one's, and both its ends; a metre is `scale` texels.
+void add_arc(std::vector<Vec2>& to, Vec2 corner, float radius, Vec2 before, Vec2 after, const Affine& to_texel,
+             float scale) {
     const double turn = atan2(cross(before, after), dot(before, after)), whole = turn < 0.0 ? turn + 2.0 * kPi : turn;
-    const int steps = std::max(1, static_cast<int>(std::ceil(whole / kBend - 1e-6)));
+    const int steps = std::max(1, static_cast<int>(std::ceil(whole / bend_of(radius * scale) - 1e-6)));
     for (int i = 0; i <= steps; ++i)
         to.push_back(apply(to_texel, corner + radius * rotate(rotation(whole * i / steps), before)));
 }
 
-void add_corners(Casters& casters, const Shapes& shapes, const Piece& piece, const Affine& to_texel) {
+void add_corners(Casters& casters, const Shapes& shapes, const Piece& piece, const Affine& to_texel, float scale) {
     const std::span<const Vec2> points = points_of(shapes, piece), normals = normals_of(shapes, piece);
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (piece.radius > 0.0f)
             add_arc(casters.corners, points[i], piece.radius, normals[i == 0 ? points.size() - 1 : i - 1], normals[i],
-                    to_texel);
+                    to_texel, scale);
         else
             casters.corners.push_back(apply(to_texel, points[i]));
     }
@@ -40,7 +44,7 @@ void add_piece(Casters& casters, const Shapes& shapes, const Piece& piece, const
     caster.body = piece.body;
     caster.category = shapes.rows[piece.shape].traits.category;
     caster.first = static_cast<std::uint32_t>(casters.corners.size());
-    if (piece.count > 0) add_corners(casters, shapes, piece, to_texel);
+    if (piece.count > 0) add_corners(casters, shapes, piece, to_texel, scale);
     caster.count = static_cast<std::uint32_t>(casters.corners.size()) - caster.first;
     casters.rows.push_back(caster);
 }

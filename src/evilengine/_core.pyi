@@ -2152,6 +2152,9 @@ class Lights:
         A picture of straight r, g, b, a that lights may shine through; its number.
         """
 
+    def change_slide(self, slide: int, pixels: object, width: int, height: int) -> None:
+        """Another picture in its place."""
+
     def restore(self, world: World, slots: Sequence[int], serials: Sequence[int], bodies: Sequence[int], next_serial: int) -> list[tuple[int, int]]:
         """Become lights in these slots, as new ones are; their references."""
 

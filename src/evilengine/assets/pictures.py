@@ -37,6 +37,7 @@ class _Shown:
 
     what: str | Grid
     normals: bool
+    keeper: Textures
     found: Found
     stamp: tuple[int, int] | None
     textures: tuple[int, ...]
@@ -60,8 +61,8 @@ class Pictures:
         self._textures = textures
         self._scale = scale
         self._all_fonts = Fonts(*images.folders)
-        self._shown: dict[tuple[Path, Grid | None, bool], _Shown] = {}
-        self._by_name: dict[tuple[str | Grid, bool], _Shown] = {}
+        self._shown: dict[tuple[Path, Grid | None, bool, Textures], _Shown] = {}
+        self._by_name: dict[tuple[str | Grid, bool, Textures], _Shown] = {}
         self._fonts: dict[tuple[str | None, int], tuple[int, Font]] = {}
         self._unsaid: list[str] = []  # what another screen's pictures brought up, for the next reload to say
 
@@ -82,6 +83,11 @@ class Pictures:
         if isinstance(image, Cell):
             return self._show(image.grid, normals).textures[image.number]
         return self._show(image, normals).textures[0]
+
+    def slide(self, name: str, lights: Textures) -> int:
+        """The number by which `lights` know an image that they shine through, given to them once, and again when its
+        file changes. Raises AssetError if it cannot be had."""
+        return self._show(name, False, lights).textures[0]
 
     def surface(self, what: str | Cell) -> tuple[int, int]:
         """The texture ids of the normals and of what glows that lie beside an image, 0 where there are none.
@@ -123,18 +129,19 @@ class Pictures:
         lines, self._unsaid = self._unsaid, []
         return lines + [line for shown in self._shown.values() if (line := self._reload(shown))]
 
-    def _show(self, what: str | Grid, normals: bool) -> _Shown:
-        if (what, normals) not in self._by_name:
+    def _show(self, what: str | Grid, normals: bool, keeper: Textures | None = None) -> _Shown:
+        keeper = keeper or self._textures
+        if (what, normals, keeper) not in self._by_name:
             grid = what if isinstance(what, Grid) else None
             found = self.images.find_for(what if isinstance(what, str) else what.image, self._scale)
-            key = found.plain, grid and grid._replace(image=""), normals
+            key = found.plain, grid and grid._replace(image=""), normals, keeper
             if key not in self._shown:
                 stamp = stamp_of(found.path)
                 pictures = self._pictures_in(found, what, normals)
-                textures = tuple(self._textures.upload(picture) for picture in pictures)
-                self._shown[key] = _Shown(what, normals, found, stamp, textures, _points(pictures[0], found))
-            self._by_name[what, normals] = self._shown[key]
-        return self._by_name[what, normals]
+                textures = tuple(keeper.upload(picture) for picture in pictures)
+                self._shown[key] = _Shown(what, normals, keeper, found, stamp, textures, _points(pictures[0], found))
+            self._by_name[what, normals, keeper] = self._shown[key]
+        return self._by_name[what, normals, keeper]
 
     def _reload(self, shown: _Shown) -> str:
         try:
@@ -150,7 +157,7 @@ class Pictures:
         except AssetError as error:
             return f"{error}; it is shown as it was"
         for texture, picture in zip(shown.textures, pictures, strict=True):
-            self._textures.update(texture, picture)
+            shown.keeper.update(texture, picture)
         shown.points = _points(pictures[0], found)
         return ""
 

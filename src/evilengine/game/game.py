@@ -112,7 +112,7 @@ class Game(Life, GameScreen, Controls, Things):
             self.world,
             textures=self._pictures.texture,
             surfaces=self._pictures.surface,
-            images=self._pictures.images.load,
+            images=self._pictures.slide,
             fonts=self._pictures.font,
             renderer=self.renderer,
         )

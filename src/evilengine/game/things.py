@@ -33,7 +33,7 @@ from evilengine.values.errors import ArgumentError, ArgumentTypeError, AssetErro
 from evilengine.values.sheet import Sheet
 from evilengine.values.vec2 import Point, to_vec2
 from evilengine.world.character import Character
-from evilengine.world.shapes import Rectangle
+from evilengine.world.shapes import MAX_SIZE, Rectangle
 from evilengine.world.smoke import Smoke
 from evilengine.world.world import World
 
@@ -236,7 +236,8 @@ class Things:
         else:
             metres = number(height, "Game.add_background", "height", above=0.0, most=1e6) / points
         number(parallax, "Game.add_background", "parallax", least=0.0, most=100.0)
-        copies = REPEATED if (parallax != 1.0 if repeat is None else repeat) else 1
+        fitting = max(int(MAX_SIZE / (width * metres)), 1)  # of a picture that is very wide
+        copies = min(REPEATED, fitting - 1 + fitting % 2) if (parallax != 1.0 if repeat is None else repeat) else 1
         drawing = self.scene.add(
             Rectangle(copies * width * metres, points * metres),
             at=self.camera.position,

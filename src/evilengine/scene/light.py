@@ -168,8 +168,7 @@ class Light:
         The image's middle is where the light is, its corners are `radius` away, and it is turned by `angle`. Through a
         sun's it is laid again and again.
         """
-        number = self._lights._core.slide(*self._where())
-        return next((name for name, slide in self._lights._slides.items() if slide == number), None)
+        return self._lights._slide_names.get(self._lights._core.slide(*self._where()))
 
     @texture.setter
     def texture(self, value: str | None) -> None:

@@ -36,8 +36,23 @@ SUN_SIZE = 0.05
 """A sun's shadow is soft by so much of the distance to what casts it: some six times as soft as the real one's."""
 
 
-Loads: TypeAlias = Callable[[str], Image]
-"""Gives the picture of a name, or raises AssetError."""
+class Slides:
+    """The pictures that lights shine through, as the core keeps them; they change as a renderer's do."""
+
+    def __init__(self, core: _core.Lights) -> None:
+        self._core = core
+
+    def upload(self, image: Image) -> int:
+        """Keep `image` and return its number."""
+        return self._core.add_slide(image.pixels, image.width, image.height)
+
+    def update(self, texture: int, image: Image) -> None:
+        """Let lights shine through another image, of any size."""
+        self._core.change_slide(texture, image.pixels, image.width, image.height)
+
+
+Loads: TypeAlias = Callable[[str, Slides], int]
+"""Gives the picture of a name to the lights, again whenever its file changes; its number. Raises AssetError."""
 
 
 class Lights:
@@ -54,16 +69,17 @@ class Lights:
     def __init__(self, world: World, images: Loads | None = None) -> None:
         self._world = world
         self._images = images
-        self._slides: dict[str, int] = {}  # pictures that lights shine through, as the core counts them
         self._core = _core.Lights()
+        self._slides = Slides(self._core)
+        self._slide_names: dict[int, str] = {}
         self._ambient: float | Colour | None = None
         self._depth = 0.8
         self._shadows = True
         self._bounce = 1.0
         self._quality = "auto"
         self._present = "medium"
-        self._cost: float | None = None  # milliseconds of the last frame's light
-        self._asked: tuple[_core.Scene, Matrix6, float, tuple[int, int], float] | None = None
+        self._cost: float | None = None  # milliseconds of the last frame's light, in all its views
+        self._asked: list[tuple[_core.Scene, int, Matrix6, float, tuple[int, int], float]] = []  # by those views
 
     def __len__(self) -> int:
         """How many there are, switched on or not. Those of a body that was destroyed count until the next frame."""
@@ -225,19 +241,18 @@ class Lights:
         return body.slot, body.generation
 
     def _slide(self, name: object, owner: str) -> int:
-        """The number of the picture called `name`, which the core is given when it is new; NO_SLOT for None."""
+        """The number of the picture called `name`; NO_SLOT for None."""
         if name is None:
             return _core.NO_SLOT
         if not isinstance(name, str):
             raise ArgumentTypeError(f"{owner}: texture={name!r} must be the name of an image, such as 'window.png'")
-        if name not in self._slides:
-            if self._images is None:
-                raise ArgumentError(
-                    f"{owner}: texture={name!r}: this scene was given no images; Scene(images=...) takes them"
-                )
-            image = self._images(name)
-            self._slides[name] = self._core.add_slide(image.pixels, image.width, image.height)
-        return self._slides[name]
+        if self._images is None:
+            raise ArgumentError(
+                f"{owner}: texture={name!r}: this scene was given no images; Scene(images=...) takes them"
+            )
+        slide = self._images(name, self._slides)
+        self._slide_names[slide] = name
+        return slide
 
     def _in_slot(self, slot: int) -> Light:
         """The light in a slot."""
@@ -250,22 +265,38 @@ class Lights:
         on = self._core.body(slot, generation)
         return None if on is None else self._world._body(*on)
 
-    def _collect(self, scene: _core.Scene, view: Matrix6, alpha: float, screen: tuple[int, int], scale: float) -> None:
-        """Put the frame's light into the scene's list; without lights and ambient light, things look as they are."""
-        self._cost = None
+    def _begin_frame(self) -> None:
+        """What comes now is another frame, of one view or of several."""
+        self._cost, self._asked = None, []
+
+    def _collect(
+        self, scene: _core.Scene, into: int, view: Matrix6, alpha: float, screen: tuple[int, int], scale: float
+    ) -> None:
+        """Put a view's light into the scene's list of that number; without lights and ambient light, things look as
+        they are."""
         if self._ambient is None and not len(self):
             return
-        self._asked = scene, view, alpha, screen, scale
-        self._cost = self._work_out(self._present)
+        self._asked.append((scene, into, view, alpha, screen, scale))
+        cost = self._work_out(self._present, *self._asked[-1])
+        if cost is not None:
+            self._cost = cost + (self._cost or 0.0)
 
     def _debug(self, scene: _core.Scene, view: Matrix6, alpha: float, scale: float, inks: tuple[int, int, int]) -> int:
         """Put what shines and the edges of shadows over the collected frame; how many lights are on."""
         return self._core.debug(scene, self._world._core, view, alpha, scale, inks)
 
-    def _work_out(self, quality: str) -> float | None:
-        """Light of the frame that was asked for last; how many milliseconds it took, None where nothing is lit."""
-        assert self._asked is not None
-        scene, view, alpha, screen, scale = self._asked
+    def _work_out(
+        self,
+        quality: str,
+        scene: _core.Scene,
+        into: int,
+        view: Matrix6,
+        alpha: float,
+        screen: tuple[int, int],
+        scale: float,
+    ) -> float | None:
+        """Light of a view; how many milliseconds it took, None where nothing is lit."""
+        scene.aim(into)
         ambient = self.ambient
         colour, strength = (ambient, 1.0) if isinstance(ambient, Colour) else (WHITE, ambient)
         step, method = STEPS[quality]
@@ -278,9 +309,10 @@ class Lights:
 
     def _measure(self) -> dict[str, float]:
         """Milliseconds that light of the last frame takes at each quality, once there is memory for it."""
-        costs = {}
+        costs = dict.fromkeys(QUALITIES, 0.0)
         for quality in QUALITIES:
-            costs[quality] = min(self._work_out(quality) or 0.0 for _ in range(2))
+            for asked in self._asked:
+                costs[quality] += min(self._work_out(quality, *asked) or 0.0 for _ in range(2))
         return costs
 
 

@@ -302,6 +302,7 @@ class Scene(Shown):
         screen = (width, height)
         if scale is None:
             scale = min(width / camera.size[0], height / camera.size[1])
+        self.lights._begin_frame()
         frame = self.collect_world(camera, alpha, screen, scale)
         self._collect_over(screen, scale, overlay)
         return frame
@@ -317,7 +318,7 @@ class Scene(Shown):
         self._core.set_layers(self.layers.rows(eye, camera.zoom), self.layers.depth(screen, camera.zoom))
         content = self._core.collect(self.world._core, view, alpha, scale)
         self._collect_layers(view, eye, camera.zoom, alpha, screen, scale)
-        self.lights._collect(self._core, view, alpha, screen, scale)
+        self.lights._collect(self._core, into, view, alpha, screen, scale)
         if self.post.on:
             self.post.put(self._core, self.world.steps)
         if self.debug:

@@ -294,6 +294,7 @@ def collect_views(
     shown = [view for view in views if view.visible]
     if len(shown) == 1 and shown[0].area == WHOLE:
         return scene.collect(shown[0].camera, alpha, pixel_size, scale, overlay=overlay)
+    scene.lights._begin_frame()
     insets = []
     for number_of_list, view in enumerate(shown, 1):
         left, top, width, height = view.box(pixel_size)
