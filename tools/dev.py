@@ -45,7 +45,7 @@ NOT_THE_CORE = (
     *("architecture", "cli*", "docs", "examples", "gl*", "import", "screen", "sound_card", "stubs", "window*"),
     *("assets", "autosave", "callbacks", "camera", "colour", "film", "frame", "headless_device", "interaction"),
     *("level_*", "pictures", "player", "release", "replay", "save_files", "slow_motion", "sound_files", "tilt"),
-    *("bench", "scene_bits", "scenes", "testbed", "timer", "translate"),
+    *("bench*", "scene_bits", "scenes", "testbed", "timer", "translate"),
 )
 
 
