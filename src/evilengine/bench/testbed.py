@@ -25,7 +25,7 @@ KEYS = (
     ("R", "start again"),
     ("P, space", "pause"),
     ("full stop", "one step"),
-    ("D, F1, 1-8", "debug view, its parts"),
+    ("D, F1, 1-9", "debug view, its parts"),
     ("G, F4", "graph of timings"),
     ("S", "let bodies sleep"),
     ("wheel", "zoom"),
@@ -36,8 +36,8 @@ ACTIONS = {
     "space": "pause", "period": "step", "d": "debug", "f1": "debug", "g": "graph", "f4": "graph", "s": "sleep",
     "escape": "quit",
 }  # fmt: skip
-SWITCHES = {str(number): part for number, part in enumerate(PARTS, start=1)}
-"""Which key turns which part of the debug view on and off."""
+SWITCHES = {str(number): part for number, part in enumerate(PARTS[:9], start=1)}
+"""Which key turns which part of the debug view on and off; there are no fluids here."""
 LARGEST = 4.0
 """Times its benchmark's size that a scene may grow to by hand."""
 AIR = 1.06
@@ -91,7 +91,7 @@ class Testbed:
             ("time", f"{world.time:.1f} s" + (", paused" if self.game.paused else "")),
         )
         shown = self.game.debug_view.shown if self.game.debug else None
-        self.menu.parts = [(part, part in shown) for part in PARTS] if shown is not None else ()
+        self.menu.parts = [(part, part in shown) for part in SWITCHES.values()] if shown is not None else ()
         self.game.frame(now)
 
     def frames(self, count: int, fps: float) -> Iterator[Image]:

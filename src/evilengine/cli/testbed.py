@@ -6,7 +6,7 @@ A menu at the left has all scenes; click on one, or go by the arrow keys. Drag b
   evil testbed --list              what there is
   evil testbed --film rain.webp    a film instead of a window
 
-D or F1 is the debug view, 1 to 8 turn parts of it on and off, P pauses, a full stop makes one step, R starts again,
+D or F1 is the debug view, 1 to 9 turn parts of it on and off, P pauses, a full stop makes one step, R starts again,
 - and + make the scene smaller and larger, G or F4 shows and hides the graph of timings, the wheel zooms.
 """
 

@@ -25,13 +25,17 @@ LEGEND_SIZE = 13.0
 
 WORLD_PARTS = ("shapes", "contacts", "impulses", "joints", "bounds", "islands", "centres", "velocities")
 """What of a world can be shown; in the order of Part in core/draw/debug.hpp."""
-PARTS = (*WORLD_PARTS, "lights")
+FLUID_PARTS = ("flow", "divergence", "cells")
+"""What of fluids can be shown; in the order of FluidPart in core/draw/debug_fluids.hpp."""
+PARTS = (*WORLD_PARTS, "lights", *FLUID_PARTS)
 """All that can be shown."""
 INKS = (
     "static", "kinematic", "awake", "asleep", "sensor", "medium", "contact", "impulse", "joint", "bound", "centre",
     "velocity",
 )  # fmt: skip
 """Whose colours the core is told; in the order of Ink there."""
+FLUID_INKS = ("arrow", "spreading", "gathering", "grid", "solid")
+"""The same for fluids, in the order of FluidInk."""
 
 Counts: TypeAlias = tuple[int, int, int, int, int]
 """Bodies, sleepers, contacts, joints, islands."""
@@ -45,14 +49,14 @@ def _packed(colour: ColourLike) -> int:
 class DebugView:
     """What the debug view shows, and how; `game.debug = True` shows it, `game.debug_view` is this.
 
-    Each part is on or off by itself: shapes, contacts, joints and centres are on at first.
+    Each part is on or off by itself: shapes, contacts, joints, centres and flow are on at first.
 
     >>> import evilengine as evil
     >>> game = evil.Game(headless=True)
     >>> game.debug = True
     >>> game.debug_view.bounds = game.debug_view.islands = True
     >>> game.debug_view.shown
-    ('shapes', 'contacts', 'joints', 'bounds', 'islands', 'centres')
+    ('shapes', 'contacts', 'joints', 'bounds', 'islands', 'centres', 'flow')
     """
 
     shapes: bool = True
@@ -76,6 +80,14 @@ class DebugView:
     lights: bool = False
     """Where lights are, how large they are, how far they reach and how wide they open; and the edges of shadows: full
     ones, which end where nothing of a light is hidden whole any more, and half ones."""
+    flow: bool = True
+    """Arrows along the flow of smoke, one for every few cells; the legend says from what speed on they are the longest.
+    One half as long stands for a quarter of that, since flows differ so much."""
+    divergence: bool = False
+    """Where smoke spreads and where it gathers: what the pressure has left of that. Colours are full at what the legend
+    says (a share of the cell a second)."""
+    cells: bool = False
+    """The cells of smoke, or as many of their lines as there is room for; which are solid; which sides are closed."""
     dial: bool = True
     """The dial at the top right, with which way and how strongly gravity pulls."""
     legend: bool = True
@@ -96,6 +108,11 @@ class DebugView:
     light: ColourLike = "#fff1a8"
     umbra: ColourLike = "#ff8f3f"
     penumbra: ColourLike = "#c9a35a90"
+    arrow: ColourLike = "#8fe3ff"
+    spreading: ColourLike = "#ff7a3c"
+    gathering: ColourLike = "#3f8cff"
+    grid: ColourLike = "#7f93b5"
+    solid: ColourLike = "#c77dff80"
     gravity: ColourLike = "#ffd75e"
     veil: ColourLike = "#0c1018b0"
     """Lies over the world and under the lines, so that they stand out whatever the colours below."""
@@ -131,12 +148,27 @@ class DebugView:
         """Put it on top of the collected frame, seen through `view`; `screen` in pixels, `scale` of them a point."""
         core.box(0.0, 0.0, screen[0], screen[1], _packed(self.veil))
         inks = [_packed(getattr(self, ink)) for ink in INKS]
+        fluids = self._draw_fluids(core, world, view, screen, scale)
         counts = core.debug(world._core, view, alpha, scale, inks, [bool(getattr(self, part)) for part in WORLD_PARTS])
         shining = lights._debug(core, view, alpha, scale, self._light_inks()) if self.lights else 0
         if self.dial:
             self._draw_gravity(core, world.gravity, view, screen, scale)
         if self.legend and fonts is not None:
-            self._draw_legend(core, fonts, self._legend(world, counts, shining), screen, scale)
+            self._draw_legend(core, fonts, self._legend(world, counts, shining, fluids), screen, scale)
+
+    def _draw_fluids(
+        self, core: CoreScene, world: World, view: Matrix6, screen: tuple[int, int], scale: float
+    ) -> list[tuple[ColourLike | None, str]]:
+        """Put fluids on top, and say what their colours mean."""
+        shown = [bool(getattr(self, part)) for part in FLUID_PARTS]
+        inks = [_packed(getattr(self, ink)) for ink in FLUID_INKS]
+        fluids, speed, divergence = core.debug_fluids(world._core, view, screen, scale, inks, shown)
+        if not fluids:
+            return []
+        words: list[tuple[ColourLike | None, str]] = [(self.arrow, f"flow to {speed:g} m/s")] if self.flow else []
+        if self.divergence:
+            words += [(self.spreading, "spreads"), (self.gathering, f"gathers, to {divergence:.1g}/s")]
+        return words + ([(self.solid, "solid cells")] if self.cells else [])
 
     def _light_inks(self) -> tuple[int, int, int]:
         return _packed(self.light), _packed(self.umbra), _packed(self.penumbra)
@@ -152,7 +184,9 @@ class DebugView:
         reach = on_screen * (0.85 * radius * min(gravity.length / EARTH, 1.0))
         core.arrow(x - reach.x, y - reach.y, x + reach.x, y + reach.y, 3.0 * scale, _packed(self.gravity))
 
-    def _legend(self, world: World, counts: Counts, shining: int) -> list[tuple[ColourLike | None, str]]:
+    def _legend(
+        self, world: World, counts: Counts, shining: int, fluids: list[tuple[ColourLike | None, str]]
+    ) -> list[tuple[ColourLike | None, str]]:
         """Colours with what they stand for, of what is shown."""
         bodies, asleep, contacts, joints, islands = counts
         states = [(self.awake, "awake"), (self.asleep, f"asleep {asleep}")] if not self.islands else []
@@ -164,6 +198,7 @@ class DebugView:
         words += [(self.bound, "bounds")] if self.bounds else []
         words += [(self.velocity, "velocities")] if self.velocities else []
         words += [(self.light, f"lights {shining}"), (self.umbra, "shadow")] if self.lights else []
+        words += fluids
         words += [(self.gravity, f"gravity {world.gravity.length:.1f}")] if self.dial else []
         counted = f"   islands {islands}" if self.islands else ""
         return [*words, (None, f"bodies {bodies}{counted}   step {world.steps}")]
