@@ -412,6 +412,8 @@ SavedSlots slots_of(const SavedState& saved) {
                      numbers(saved.shape_taken),
                      numbers(saved.force_taken),
                      numbers(saved.joint_taken),
+                     numbers(saved.fluids.smoke_taken),
+                     numbers(saved.fluids.source_taken),
                      {}};
     for (std::uint32_t shape : slots.shapes) slots.shape_bodies.push_back(saved.shapes.rows[shape].body);
     return slots;

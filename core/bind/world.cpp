@@ -241,7 +241,7 @@ void register_world(nb::module_& module) {
                       [](const Saved& s) { return s.state ? notes_of(*s.state) : std::vector<std::string>{}; });
     saved.def_prop_ro("slots", [](const Saved& s) {
         const SavedSlots slots = s.state ? slots_of(*s.state) : SavedSlots{};
-        return std::tuple(slots.bodies, slots.shapes, slots.forces, slots.joints);
+        return std::tuple(slots.bodies, slots.shapes, slots.forces, slots.joints, slots.smokes, slots.sources);
     });
     saved.def_prop_ro(
         "shape_bodies",

@@ -10,6 +10,7 @@ constexpr int kSweeps = 2;          // before and after each visit to a coarser 
 constexpr int kCoarsestSweeps = 16; // leave nothing of 4 x 4 cells
 constexpr std::size_t kGrain = 16;  // rows a thread takes at a time
 constexpr int kWorthThreads = 96;   // rows from which on several threads are faster than one
+constexpr float kNearest = 0.125f;  // cells: an edge that is nearer to a coarse cell's middle, or before it, counts so
 
 void weigh(Level& level, int i, int j) { // one cell, from its faces
     const int colour = (i + j) & 1;
@@ -85,18 +86,32 @@ void find_borrowers(Level& level) {
 }
 
 // A coarse face is as open as the two that it is made of, on average; what drains from four cells drains at twice the
-// distance, so half of it counts.
+// distance, so half of it counts. Where an odd grid ends inside the last coarse cells, an open edge is nearer than that,
+// or even before their middle, and then so is what lies before them: else corrections would overshoot, more on each
+// level, and the cycles would diverge.
 void coarsen(const Level& fine, Level& coarse, const Patch& patch) {
     auto across = [&](int i, int j) { return i <= fine.nx && j < fine.ny ? fine.across[fine.face(i, j)] : 0.0f; };
     auto up = [&](int i, int j) { return i < fine.nx && j <= fine.ny ? fine.up[fine.face(i, j)] : 0.0f; };
     auto drain = [&](int i, int j) { return i < fine.nx && j < fine.ny ? fine.drain[fine.face(i, j)] : 0.0f; };
+    auto nearer = [](float before, float now) { return std::max(before, kNearest) / std::max(now, kNearest); };
+    auto shorter = [](float before, float now) {
+        return now < 0.0f ? (1.0f + std::min(before, 0.0f)) / (1.0f + now) : 1.0f;
+    };
+    const float link_up = shorter(fine.top, coarse.top), link_across = shorter(fine.right, coarse.right);
+    const int last_row = fine.ny / 2 - 1, last_column = fine.nx / 2 - 1;
     for (int j = patch.low; j <= std::min(patch.high, coarse.ny); ++j)
         for (int i = patch.left; i <= std::min(patch.right, coarse.nx); ++i) {
             const std::size_t at = coarse.face(i, j);
+            const bool at_right = i == last_column, at_top = j == last_row;
             coarse.across[at] = j < coarse.ny ? 0.5f * (across(2 * i, 2 * j) + across(2 * i, 2 * j + 1)) : 0.0f;
             coarse.up[at] = i < coarse.nx ? 0.5f * (up(2 * i, 2 * j) + up(2 * i + 1, 2 * j)) : 0.0f;
-            coarse.drain[at] = 0.5f * (drain(2 * i, 2 * j) + drain(2 * i + 1, 2 * j) +
-                                       (drain(2 * i, 2 * j + 1) + drain(2 * i + 1, 2 * j + 1)));
+            if (at_right) coarse.across[at] *= link_across;
+            if (at_top) coarse.up[at] *= link_up;
+            const float near =
+                (at_top ? nearer(fine.top, coarse.top) : 1.0f) * (at_right ? nearer(fine.right, coarse.right) : 1.0f);
+            coarse.drain[at] = 0.5f * near *
+                               (drain(2 * i, 2 * j) + drain(2 * i + 1, 2 * j) +
+                                (drain(2 * i, 2 * j + 1) + drain(2 * i + 1, 2 * j + 1)));
         }
 }
 
@@ -142,10 +157,15 @@ LevelView Level::view() const {
 void Pressure::lay_out(const Grid& grid, const std::array<bool, 4>& open) {
     levels_.clear();
     int nx = grid.nx, ny = grid.ny;
+    float right = 0.5f, top = 0.5f;
     while (true) {
-        levels_.emplace_back().lay_out(nx, ny);
+        Level& level = levels_.emplace_back();
+        level.lay_out(nx, ny);
+        level.right = right, level.top = top;
         if (std::max(nx, ny) <= kCoarsest) break;
-        nx = levels_.back().nx / 2, ny = levels_.back().ny / 2;
+        if (open[1]) right = 0.5f * (right + (nx % 2 == 0 ? 0.5f : -0.5f));
+        if (open[3]) top = 0.5f * (top + (ny % 2 == 0 ? 0.5f : -0.5f));
+        nx = level.nx / 2, ny = level.ny / 2;
     }
     for (std::size_t side = 0; side < 4; ++side) mirror_[side] = open[side] ? -1.0f : 1.0f;
     room_.assign(8 * static_cast<std::size_t>(levels_[0].stride + 4 * kLane), 0.0f);

@@ -20,6 +20,7 @@ struct Patch { // of cells: from left and low up to, not including, right and hi
 // One grid of the pyramid, its sides rounded up to even; the cell more that an odd one gets is solid.
 struct Level {
     int nx = 0, ny = 0, half = 0, tiles = 0;
+    float right = 0.5f, top = 0.5f; // how far these edges, if open, are from the middle of the last cells, in cells
     std::ptrdiff_t stride = 0;
     std::vector<float> room; // all of the arrays below
     std::array<float*, 2> p{}, b{}, diagonal{}, inverse{};

@@ -31,6 +31,7 @@ from evilengine.values.vec2 import to_vec2
 from evilengine.values.version import VERSION
 from evilengine.world import behaviours
 from evilengine.world import saving as worlds
+from evilengine.world.smoke import Smoke, Source
 
 if TYPE_CHECKING:
     from evilengine.game.game import Game
@@ -146,7 +147,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
     state = json.loads(sections["game"])
     world = _core.Saved(sections["world"])
     worlds.check_notes(game.world, world.notes)
-    bodies, _, forces, joints = (set(slots) for slots in world.slots)
+    bodies, _, forces, joints, smokes, sources = (set(slots) for slots in world.slots)
     scene = looks.SceneState(game.scene, sections["drawings"], state["scene"])
     emitters = looks.read_emitters(game.scene, state.get("emitters", []), sections.get("particles", b""), bodies)
     none, body_of = _core.NO_SLOT, dict(zip(world.slots[1], world.shape_bodies, strict=True))
@@ -162,6 +163,8 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
         "body": bodies,
         "force": forces,
         "joint": joints,
+        "smoke": smokes,
+        "source": sources,
         "drawing": scene.slots,
         "text": scene.texts,
         "emitter": emitters.serials,
@@ -217,6 +220,8 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
             "body": game.world._body,
             "force": game.world._forces.__getitem__,
             "joint": game.world._joints.__getitem__,
+            "smoke": lambda slot: Smoke(game.world, slot),
+            "source": lambda slot: Source(game.world, slot),
             "drawing": scene.drawing,
             "text": scene.text,
             "emitter": emitters.emitter,

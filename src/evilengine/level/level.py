@@ -16,13 +16,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from evilengine import script
-from evilengine.level import air, characters
+from evilengine.level import air, characters, fluids
 from evilengine.level.looks import LOOKS, drawn, move_camera
 from evilengine.level.making import Values
 from evilengine.level.rules import Answers, Consequence, Rounds, Scope, Thing
 from evilengine.script.arithmetic import ArithmeticProblem
 from evilengine.script.tags import Rule, Tags
-from evilengine.script.word import MAX_BODIES, MAX_ROUNDS
+from evilengine.script.word import MAX_BODIES, MAX_ROUNDS, OPPOSITES
 from evilengine.values import level as commands
 from evilengine.values.diagnostics import level_error
 from evilengine.values.errors import ArgumentError, Error, LevelError
@@ -194,6 +194,8 @@ class Level(Values):
                 self._rule("on_touch", first, None, Consequence(self, command, scope))
             case commands.AddCharacter() | commands.AddLadder() | commands.Tell() | commands.Drive():
                 characters.carry_out(self, command, scope)
+            case commands.AddSmoke() | commands.AddSource():
+                fluids.carry_out(self, command, scope)
             case _:
                 if self.game is not None:
                     self._play(command, scope, self.game)
@@ -349,7 +351,9 @@ class Level(Values):
             return
         if command.property == "texture":
             value = self._beside(value)
-        attribute, value = ("visible", not value) if command.property == "hidden" else (command.property, value)
+        attribute = command.property
+        if attribute in OPPOSITES:
+            attribute, value = OPPOSITES[attribute], not value
         for each in self._parts(thing, command.part):
             setattr(each, attribute, value)
 

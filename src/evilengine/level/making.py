@@ -9,7 +9,7 @@ from typing import Any
 from evilengine.level.rules import Gone, Scope, Thing
 from evilengine.script.arithmetic import evaluate
 from evilengine.values import level as commands
-from evilengine.values.level import Area, Called, Corners, Holes, Make, Number, Pair
+from evilengine.values.level import Area, Called, Colours, Corners, Holes, Make, Number, Pair
 from evilengine.world import joints
 from evilengine.world.forces import ConstantForce, Drag, Spring
 from evilengine.world.media import Medium
@@ -46,6 +46,8 @@ class Values:
                 return [self._pair(point, scope) for point in points]
             case Holes(rings=rings):
                 return [self._value(ring, scope) for ring in rings]
+            case Colours(names=names):
+                return list(names)
             case bool() | int() | str():
                 return value
             case _:

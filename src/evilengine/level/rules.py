@@ -14,8 +14,9 @@ if TYPE_CHECKING:
     from evilengine.level.level import Level
     from evilengine.scene import Drawing, Emitter, Light, Text
     from evilengine.timer import Event
+    from evilengine.world.smoke import Smoke, Source
 
-Thing: TypeAlias = "Body | Drawing | Emitter | Force | Joint | Light | Text"
+Thing: TypeAlias = "Body | Drawing | Emitter | Force | Joint | Light | Smoke | Source | Text"
 
 
 class Gone:

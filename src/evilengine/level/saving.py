@@ -22,6 +22,7 @@ from evilengine.values.errors import SaveError
 from evilengine.world.body import Body
 from evilengine.world.forces import Force
 from evilengine.world.joints import Joint
+from evilengine.world.smoke import Smoke, Source
 
 if TYPE_CHECKING:
     from evilengine.game import Game
@@ -53,6 +54,10 @@ def reference(thing: object) -> Reference:
             return ["light", thing._slot]
         case Emitter(alive=True):
             return ["emitter", thing._serial]
+        case Smoke(alive=True):
+            return ["smoke", thing.slot]
+        case Source(alive=True):
+            return ["source", thing.slot]
         case Text(alive=True):
             return ["text", thing._serial]
         case Event(alive=True):

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from evilengine.script.air import PARTICLES
 from evilengine.script.arithmetic import formula
+from evilengine.script.checker import thing
+from evilengine.script.fluid_building import add_fluid
+from evilengine.script.fluids import FLUIDS
 from evilengine.script.joints import JOINTS
 from evilengine.script.lighting import LIGHT
 from evilengine.script.names import DRAWING, SOMETHING, Made, family_made
@@ -16,6 +19,7 @@ from evilengine.values import level as values
 from evilengine.values.level import (
     Area,
     Called,
+    Colours,
     Command,
     Formula,
     Make,
@@ -55,6 +59,8 @@ class ThingBuilder(ShapeBuilder):
             elif kind.family == PARTICLES:
                 name = statement.name.name if statement.name else ""
                 commands = [values.AddParticles(statement.place, name, tuple(self._options(settings)))]
+            elif kind.family in FLUIDS:
+                commands = add_fluid(self, statement, settings)
             elif kind.family == "spring":
                 commands = self._spring(statement, settings)
             elif kind.family == "ladder":
@@ -258,6 +264,8 @@ class ThingBuilder(ShapeBuilder):
     def value(self, setting: Setting, entry: Property) -> Value:
         if entry.takes == "flag":
             return True
+        if entry.takes == "colours":
+            return Colours(tuple(self.colour(each) for each in setting.values if isinstance(each, Text)))
         item = setting.values[0]
         match item:
             case Text():
@@ -268,7 +276,8 @@ class ThingBuilder(ShapeBuilder):
                 measure = {"direction": "speed", "spot": ""}.get(entry.takes, "length")
                 return self.pair(item, entry.word, entry.range, measure)
             case Identifier():
-                made = self.called(item, BODIES, "thing")
+                families = entry.of or BODIES
+                made = self.called(item, families, thing(families[0]))
                 return Called(made.name if made else item.name)
             case _:
                 return self._amount(item, entry)

@@ -7,6 +7,7 @@ from evilengine.script.arithmetic import Bounds
 from evilengine.script.bodies import BODIES, ThingBuilder
 from evilengine.script.characters import TELLINGS
 from evilengine.script.checker import thing
+from evilengine.script.fluids import FLUIDS
 from evilengine.script.joints import JOINTS
 from evilengine.script.lighting import LIGHT
 from evilengine.script.names import DRAWING, NUMBER, SOMETHING, TEXT, Made
@@ -35,7 +36,9 @@ from evilengine.values import level as values
 from evilengine.values.level import Called, Command, Number, Option, Place, Tagged, Value
 from evilengine.values.tick import FASTEST, SLOWEST
 
-THINGS = (*BODIES, *JOINTS, PARTICLES, LIGHT, "spring", "force", "drag", "medium", DRAWING, TEXT)
+CHANGING = (*BODIES, *JOINTS, *FLUIDS, PARTICLES, LIGHT, DRAWING, TEXT)
+"""What `set` knows, beside numbers."""
+THINGS = (*CHANGING, "spring", "force", "drag", "medium")
 
 WIDEST_QUAKE = 1000.0  # logical points, as the camera has it
 
@@ -251,14 +254,14 @@ class Builder(ThingBuilder):
     def _change(self, statement: Change) -> list[Command]:
         target = statement.target
         if statement.setting is None and statement.value is None:
-            self.called(target, (*BODIES, *JOINTS, PARTICLES, LIGHT, DRAWING, TEXT, NUMBER), "thing")
+            self.called(target, (*CHANGING, NUMBER), "thing")
             return []
         if statement.setting is None:
             return self._change_number(statement)
-        made = self.called(target, (*BODIES, *JOINTS, PARTICLES, LIGHT, DRAWING, TEXT), "thing")
+        made = self.called(target, CHANGING, "thing")
         if made is None or statement.broken:
             return []
-        family = made.family if made.family in (DRAWING, TEXT, "character", PARTICLES, LIGHT, *JOINTS) else "body"
+        family = made.family if made.family in CHANGING else "body"
         entry = property_of(statement.setting.word, family)
         if made.family == SOMETHING and (entry is None or not entry.settable):
             entry = property_of(statement.setting.word, "character")

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from evilengine.script.air import AIR_KINDS
 from evilengine.script.characters import CHARACTER_KINDS
+from evilengine.script.fluids import FLUID_KINDS
 from evilengine.script.joints import JOINT_KINDS
 from evilengine.script.lighting import LIGHT_KINDS
 from evilengine.script.word import ANY, MAX_CORNERS, NOT_NEGATIVE, Kind, Range, Size
@@ -143,6 +144,7 @@ KINDS: Mapping[str, Kind] = {
         *CHARACTER_KINDS,
         *AIR_KINDS,
         *LIGHT_KINDS,
+        *FLUID_KINDS,
         *JOINT_KINDS,
     )
 }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from evilengine.script.air import AIR_PROPERTIES
 from evilengine.script.characters import CHARACTER_PROPERTIES
+from evilengine.script.fluids import FLUID_PROPERTIES
 from evilengine.script.joints import JOINT_PROPERTIES
 from evilengine.script.lighting import LIGHT_PROPERTIES
 from evilengine.script.meeting import MEETING
@@ -153,6 +154,7 @@ PROPERTIES: tuple[Property, ...] = (
     *CHARACTER_PROPERTIES,
     *AIR_PROPERTIES,
     *LIGHT_PROPERTIES,
+    *FLUID_PROPERTIES,
     *JOINT_PROPERTIES,
 )
 # fmt: on

@@ -10,7 +10,7 @@ from evilengine.values import level as commands
 _ANGLES = frozenset({"direction", "cone", "spin", "angle"})
 
 
-class _Code(str):
+class Code(str):
     """Python as it is to be written."""
 
 
@@ -24,7 +24,7 @@ class PythonPictures(PythonMeetings):
         if isinstance(command, commands.SetShadows):
             self._line(f"game.lights.shadows = {command.on}")
             return
-        said = {each.name: _Code(self._written(each)) for each in command.options}
+        said = {each.name: Code(self._written(each)) for each in command.options}
         match command:
             case commands.SetBackground(what=what):
                 arguments = [quoted(what), *(f"{name}={value}" for name, value in said.items())]
@@ -32,44 +32,45 @@ class PythonPictures(PythonMeetings):
             case commands.SetPlane(layer=layer):
                 if "fog_above" in said:
                     above = said.pop("fog_above")
-                    said["fog"] = _Code(f"[{said.get('fog', above)}, {above}]")
+                    said["fog"] = Code(f"[{said.get('fog', above)}, {above}]")
                 for name, value in said.items():
                     self._line(f"game.layers[{layer}].{name} = {value}")
             case commands.SetLens():
                 if said.pop("filmic", ""):
-                    said["tone_mapping"] = _Code(quoted("filmic"))
+                    said["tone_mapping"] = Code(quoted("filmic"))
                 if said.pop("perspective", ""):
                     self._line("game.layers.perspective = True")
                 for name, value in said.items():
                     self._line(f"game.post.{name} = {value}")
             case commands.AddLight(name=name):
                 if "direction" in said:
-                    said["direction"] = _Code(f"evil.Vec2(1, 0).turned({said['direction']})")
+                    said["direction"] = Code(f"evil.Vec2(1, 0).turned({said['direction']})")
                 if "shadows" in said:
-                    said["shadows"] = _Code("False")
+                    said["shadows"] = Code("False")
                 if not said.keys() & {"at", "direction", "body"}:
-                    said["at"] = _Code("(0, 0)")
+                    said["at"] = Code("(0, 0)")
                 with self._if_alive(*([said["body"]] if "body" in said else [])):
                     self._call(self._naming(name), "game.add_light", [f"{key}={value}" for key, value in said.items()])
             case commands.AddParticles(name=name):
                 options = emitter_options(said)
                 body = [str(options["body"])] if "body" in options else []
                 with self._if_alive(*body):
-                    arguments = [f"{key}={_shown(value)}" for key, value in options.items()]
+                    arguments = [f"{key}={shown(value)}" for key, value in options.items()]
                     self._call(self._naming(name), "game.add_particles", arguments)
 
     def _written(self, option: commands.Option) -> str:
         return self.angle(option.value) if option.name in _ANGLES else self.value(option.value)
 
 
-def _shown(value: object) -> str:
+def shown(value: object) -> str:
+    """A value as Python; code as it is."""
     match value:
-        case _Code():
+        case Code():
             return str(value)
         case str():
             return quoted(value)
         case list():
-            return f"[{', '.join(map(_shown, value))}]"
+            return f"[{', '.join(map(shown, value))}]"
         case tuple():
-            return f"({', '.join(map(_shown, value))})"
+            return f"({', '.join(map(shown, value))})"
     return repr(value)

@@ -8,6 +8,7 @@ from abc import ABC, abstractmethod
 from evilengine.values.level import (
     Area,
     Called,
+    Colours,
     Corners,
     Formula,
     Holes,
@@ -87,6 +88,8 @@ class PythonValues(ABC):
                 return f"[{', '.join(self.value(point) for point in points)}]"
             case Holes(rings):
                 return f"[{', '.join(self.value(ring) for ring in rings)}]"
+            case Colours(names):
+                return f"[{', '.join(map(quoted, names))}]"
             case Area():
                 edges = (value.left, value.bottom, value.right, value.top)
                 return f"({', '.join(self.number(edge) for edge in edges)})"

@@ -84,6 +84,8 @@ def reference() -> str:
     parts.append("### Of forces, drag and media\n\n" + _table(_merged("force", "drag", "medium")))
     parts.append("### Of backgrounds, planes and the lens\n\n" + _table(_merged("background", "plane", "lens")))
     parts.append("### Of lights\n\n" + _table(properties_of("light")))
+    parts.append("### Of smoke\n\n" + _table(properties_of("smoke")))
+    parts.append("### Of sources of smoke\n\n" + _table(properties_of("source")))
     parts.append("### Of particles\n\n" + _table(properties_of("particles")))
     parts.append("### Of drawings\n\n" + _table(properties_of("drawing")))
     parts.append("### Of texts\n\n" + _table(properties_of("text")))
@@ -135,7 +137,7 @@ def _table(properties: Iterable[Property]) -> str:
     return "\n".join(lines) + "\n"
 
 
-_WITHOUT_RANGE = {"flag", "colour", "picture", "tag", "name", "names"}
+_WITHOUT_RANGE = {"flag", "colour", "colours", "picture", "tag", "name", "names"}
 
 
 def main(arguments: list[str]) -> int:

@@ -21,6 +21,7 @@ from evilengine.script.words import (
 )
 from evilengine.values.level import Place
 
+_CHANGES = f"of a thing, set changes {', '.join(each.word for each in properties_of('body') if each.settable)}"
 _SWITCHES = {"on": True, "off": False}
 _TRUTHS = {"true": "on", "false": "off", "yes": "on", "no": "off", "1": "on", "0": "off"}
 
@@ -143,13 +144,12 @@ class Settings(Expressions):
         entry = changeable.get(word) or next((each for each in changeable.values() if word in each.spellings), None)
         if entry is None:
             if word in PROPERTY_WORDS:
-                hint = f"set changes {', '.join(changeable)}"
-                self.error("wrong-property", f"{word} cannot be changed later", token, hint)
+                self.error("wrong-property", f"{word} cannot be changed later", token, _CHANGES)
                 self.advance()
                 raise Skip
             suggestion = near(word, changeable) or near_property(word, "body")
             entry = changeable.get(suggestion or "")
-            hint = f"did you mean '{suggestion}'?" if entry else f"set changes {', '.join(changeable)}"
+            hint = f"did you mean '{suggestion}'?" if entry else _CHANGES
             self.error("unknown-property", f"there is no property {shown(token)}", token, hint)
             if entry is None:
                 self.advance()
@@ -170,6 +170,8 @@ class Settings(Expressions):
                 return (self.spot(f"{word} needs two numbers, {as_in}"),)
             case "colour":
                 return (self.colour(word),)
+            case "colours":
+                return self._colours(word, as_in)
             case "corners":
                 corners, said = self.spots("corner")
                 if not corners and not said:
@@ -250,6 +252,19 @@ class Settings(Expressions):
         if token.kind == "number":
             self.advance()
         raise Skip
+
+    def _colours(self, word: str, as_in: str) -> tuple[Item, ...]:
+        """Two colours in quotes, or more."""
+        result: list[Item] = []
+        while self.token.kind == "string":
+            token = self.advance()
+            result.append(Text(token.text, token.place))
+            if self.token.kind == ",":
+                self.error("odd-comma", "there is no comma between colours", self.advance(), "put a space instead")
+        if len(result) < 2:
+            self.error("missing-colour", f"{word} needs two colours in quotes, or more", self.after_last(), as_in)
+            raise Skip
+        return tuple(result)
 
     def file(self, word: str, what: str, example: str) -> Text:
         """The name of a file, in quotes."""

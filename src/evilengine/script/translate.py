@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import PurePath
 
 from evilengine.script.blocks import destroyed, is_deferred, used
-from evilengine.script.python_pictures import PythonPictures
+from evilengine.script.python_fluids import PythonFluids
 from evilengine.script.python_values import imports, literal, quoted
+from evilengine.script.word import OPPOSITES
 from evilengine.values import level as commands
 from evilengine.values.level import Block, Called, Command, LevelScript, Number
 
@@ -34,7 +35,7 @@ def translate(level: LevelScript) -> str:
     return Translator(level).program()
 
 
-class Translator(PythonPictures):
+class Translator(PythonFluids):
     """One method for each command."""
 
     def program(self) -> str:
@@ -70,6 +71,8 @@ class Translator(PythonPictures):
                 self._line(f"game.tilt = {on}")
             case _ if isinstance(command, commands.Picture):
                 self._picture(command)
+            case commands.AddSmoke() | commands.AddSource():
+                self._fluid(command)
             case commands.Go(file=file):
                 self._line(f"game.go({quoted(file)})" if file else "game.restart()")
             case commands.SetPace(pace=pace):
@@ -230,8 +233,8 @@ class Translator(PythonPictures):
             if attribute == "tag" and self._tags:
                 self._line(f"tags.change({name}, {value})")
                 return
-            if attribute == "hidden":
-                attribute, value = "visible", repr(not command.value)
+            if attribute in OPPOSITES:
+                attribute, value = OPPOSITES[attribute], repr(not command.value)
             if command.part == "drawings":
                 self._line(f"for drawing in {name}.drawings:")
                 with self._deeper():

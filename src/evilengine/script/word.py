@@ -15,6 +15,8 @@ MAX_NESTING = 16  # blocks inside blocks
 MOST_COLUMNS = 64  # frames side by side, or one below another, of a sheet: 64 by 64 is as many as a Sheet takes
 MAX_CORNERS = 256  # corners of one polygon
 MAX_BODIES = 10_000  # bodies that a level keeps alive; `new` does nothing beyond, so a forgotten `every` stays playable
+OPPOSITES = {"hidden": "visible", "idle": "running"}
+"""What a level says of a thing -> the attribute that is the opposite."""
 FARTHEST = 100_000.0  # metres from the origin; float32 positions are a centimetre apart there
 
 
@@ -148,8 +150,8 @@ class Property(Word):
     """A word that follows what is made, with its value."""
 
     takes: str
-    """flag, whole, number, angle, length, time, mass, spin, point, direction, spot, colour, picture, tag, name, names,
-    place, corners: what the parser reads and the checker asks of it."""
+    """flag, whole, number, angle, length, time, mass, spin, point, direction, spot, colour, colours, picture, tag,
+    name, names, place, corners: what the parser reads and the checker asks of it."""
     families: tuple[str, ...]
     option: str = ""
     """The engine's keyword argument."""
@@ -158,6 +160,8 @@ class Property(Word):
     """The attribute that `set` changes while the level plays; empty when it cannot be changed."""
     part: str = ""
     """Whose it is, if not the thing's as a whole: "drawings" for looks, "shape" for what only some kinds have."""
+    of: tuple[str, ...] = ()
+    """Families of what its name may stand for; things, where it says nothing."""
     spellings: tuple[str, ...] = ()
     """Other spellings that mean the same and are no error."""
 

@@ -11,6 +11,9 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from evilengine.values.diagnostics import Diagnostic
+from evilengine.values.level_fluids import AddSmoke as AddSmoke
+from evilengine.values.level_fluids import AddSource as AddSource
+from evilengine.values.level_fluids import Fluid as Fluid
 from evilengine.values.level_looks import AddLight as AddLight
 from evilengine.values.level_looks import AddParticles as AddParticles
 from evilengine.values.level_looks import Picture as Picture
@@ -27,6 +30,9 @@ from evilengine.values.level_values import (
 )
 from evilengine.values.level_values import (
     Called as Called,
+)
+from evilengine.values.level_values import (
+    Colours as Colours,
 )
 from evilengine.values.level_values import (
     Corners as Corners,
@@ -369,6 +375,7 @@ Command: TypeAlias = (
     | AddBody
     | AddCharacter
     | AddLadder
+    | Fluid
     | Drive
     | Tell
     | AddDrawing

@@ -67,6 +67,13 @@ class Holes:
 
 
 @dataclass(frozen=True, slots=True)
+class Colours:
+    """Colours in a row."""
+
+    names: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Area:
     """The edges of an upright rectangle."""
 
@@ -76,7 +83,7 @@ class Area:
     top: Number
 
 
-Value: TypeAlias = Number | Pair | Corners | Holes | Area | Called | str | bool | int
+Value: TypeAlias = Number | Pair | Corners | Holes | Colours | Area | Called | str | bool | int
 
 
 @dataclass(frozen=True, slots=True)
