@@ -91,6 +91,14 @@ def test_round_shapes_cast_round_shadows_however_large_they_are(zoom):
         assert np.abs(found[0] - other).max() < 0.1
 
 
+def test_text_lies_over_what_is_lit():
+    game = lit_game()
+    game.add_light(at=(0, 0))
+    before = bytes(game.capture().pixels)
+    game.text("Dusk", at=(8, 8), size=20, colour="red")
+    assert bytes(game.capture().pixels) != before
+
+
 def test_a_light_without_shadows_shines_through():
     game, lamp, _ = shadow_scene()
     lamp.shadows = False

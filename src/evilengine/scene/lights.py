@@ -55,6 +55,10 @@ Loads: TypeAlias = Callable[[str, Slides], int]
 """Gives the picture of a name to the lights, again whenever its file changes; its number. Raises AssetError."""
 
 
+Asked: TypeAlias = tuple[_core.Scene, Matrix6, float, tuple[int, int], float]
+"""What a view was collected with: the scene, its view, alpha, the screen and its scale."""
+
+
 class Lights:
     """The lights of a scene. Only drawings that are `lit` show them; the others look as they always do.
 
@@ -79,7 +83,7 @@ class Lights:
         self._quality = "auto"
         self._present = "medium"
         self._cost: float | None = None  # milliseconds of the last frame's light, in all its views
-        self._asked: list[tuple[_core.Scene, int, Matrix6, float, tuple[int, int], float]] = []  # by those views
+        self._asked: list[tuple[int, Asked]] = []  # by those views, and into which list
 
     def __len__(self) -> int:
         """How many there are, switched on or not. Those of a body that was destroyed count until the next frame."""
@@ -276,8 +280,8 @@ class Lights:
         they are."""
         if self._ambient is None and not len(self):
             return
-        self._asked.append((scene, into, view, alpha, screen, scale))
-        cost = self._work_out(self._present, *self._asked[-1])
+        self._asked.append((into, (scene, view, alpha, screen, scale)))
+        cost = self._work_out(self._present, *self._asked[-1][1])
         if cost is not None:
             self._cost = cost + (self._cost or 0.0)
 
@@ -286,17 +290,9 @@ class Lights:
         return self._core.debug(scene, self._world._core, view, alpha, scale, inks)
 
     def _work_out(
-        self,
-        quality: str,
-        scene: _core.Scene,
-        into: int,
-        view: Matrix6,
-        alpha: float,
-        screen: tuple[int, int],
-        scale: float,
+        self, quality: str, scene: _core.Scene, view: Matrix6, alpha: float, screen: tuple[int, int], scale: float
     ) -> float | None:
         """Light of a view; how many milliseconds it took, None where nothing is lit."""
-        scene.aim(into)
         ambient = self.ambient
         colour, strength = (ambient, 1.0) if isinstance(ambient, Colour) else (WHITE, ambient)
         step, method = STEPS[quality]
@@ -311,7 +307,8 @@ class Lights:
         """Milliseconds that light of the last frame takes at each quality, once there is memory for it."""
         costs = dict.fromkeys(QUALITIES, 0.0)
         for quality in QUALITIES:
-            for asked in self._asked:
+            for into, asked in self._asked:
+                asked[0].aim(into)
                 costs[quality] += min(self._work_out(quality, *asked) or 0.0 for _ in range(2))
         return costs
 
