@@ -1,4 +1,4 @@
-"""The debug view of smoke: arrows along the flow, where it spreads and gathers, and what is in the cells."""
+"""The debug view of fluids: arrows along the flow, where it spreads and gathers, what is in the cells, particles."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def test_nothing_of_fluids_is_drawn_of_what_is_off_and_each_part_shows_something
     stage.scene.debug_view.show([])
     assert colours(stage).max() == 0
     pictures = set()
-    for part in FLUID_PARTS:
+    for part in ("flow", "divergence", "cells"):
         stage.scene.debug_view.show([part])
         pictures.add(stage.show().tobytes())
     assert len(pictures) == 3
@@ -129,6 +129,48 @@ def test_what_spreads_and_what_gathers_is_known_after_a_step(stage: Stage) -> No
     assert seen[40:60, 140:160, 2].mean() > 3 * seen[40:60, 140:160, 0].mean()
 
 
+def pond(stage: Stage) -> evil.Water:
+    """The left half of the picture up to its middle is water that moves to the right."""
+    water = stage.world.add_water((-4, -2, 4, 2), particle_size=0.125, open_sides="top", colour="#0000ff")
+    water.fill((-4, -2, 0, 0), velocity=(2, 0))
+    return water
+
+
+def test_particles_are_dots_in_the_colour_of_their_liquid(stage: Stage) -> None:
+    pond(stage)
+    stage.scene.debug_view.show(["particles"])
+    seen = colours(stage)
+    assert seen[55:95, 5:95, 2].mean() > 0.25
+    assert seen[55:95, 5:95, 2].mean() > 3 * seen[55:95, 5:95, 0].mean()
+    assert seen[:48].max() == 0
+    assert seen[:, 102:].max() == 0
+    stage.camera.position, stage.camera.zoom = evil.Vec2(-2, -1), 8.0
+    lines = colours(stage)[..., 2]
+    assert (lines == 0).mean() > 0.3, "there is room between dots"
+
+
+def test_cells_with_liquid_are_filled_and_solid_ones_too(stage: Stage) -> None:
+    pond(stage)
+    stage.add(evil.Rectangle(2, 2), at=(2, 0), kind="static")
+    stage.world.step(1e-3)
+    stage.scene.debug_view.liquid = "lime"
+    stage.scene.debug_view.show(["cells"])
+    seen = colours(stage)
+    assert seen[55:95, 5:95, 1].min() > 0.9
+    assert seen[55:95, 105:115, 1].max() < 0.5
+    assert seen[40:60, 140:160, 0].min() > 0.9
+    assert seen[-1, :, 1].min() > 0.7, "the floor"
+
+
+def test_water_has_arrows_where_it_is(stage: Stage) -> None:
+    pond(stage)
+    stage.scene.debug_view.show(["flow"])
+    green = colours(stage)[..., 1]
+    rows = green[55:95, :95]
+    assert (rows > 0.5).any(axis=0).mean() > 0.5
+    assert green[:45].max() == 0
+
+
 def test_the_legend_says_what_the_colours_stand_for(stage: Stage) -> None:
     view, core, camera = stage.scene.debug_view, stage.scene._core, stage.camera
     view.show(["flow", "divergence", "cells"])
@@ -139,6 +181,10 @@ def test_the_legend_says_what_the_colours_stand_for(stage: Stage) -> None:
     stage.show()
     words = [word for _, word in view._draw_fluids(*arguments)]
     assert words == ["flow to 5 m/s", "spreads", "gathers, to 0/s", "solid cells"]
+    pond(stage)
+    view.show(["cells", "particles"])
+    words = [word for _, word in view._draw_fluids(*arguments)]
+    assert words == ["solid cells", "liquid", "particles 512"]
 
 
 def test_it_changes_nothing_and_draws_at_any_zoom(stage: Stage) -> None:

@@ -88,7 +88,7 @@ def test_number_keys_turn_parts_of_the_debug_view_on_and_off_and_a_list_says_whi
     hand.press("1")
     hand.wait(1)
     assert ("bounds", False) in hand.bed.menu.parts
-    assert hand.game.debug_view.shown == ("contacts", "joints", "centres", "flow")
+    assert hand.game.debug_view.shown == ("contacts", "joints", "centres", "flow", "particles")
     assert with_bounds != hand.game.capture()
     hand.press("d")
     hand.wait(1)

@@ -52,14 +52,13 @@ Counts debug_frame(SceneBox& box, const World& world, const Matrix6& view, doubl
     return {count.bodies, count.asleep, count.contacts, count.joints, count.islands};
 }
 
-std::tuple<std::uint32_t, float, float> debug_fluids(SceneBox& box, const World& world, const Matrix6& view,
-                                                     const std::tuple<float, float>& screen, float points,
-                                                     const decltype(FluidFrame::inks)& inks,
-                                                     const decltype(FluidFrame::parts)& parts) {
+std::tuple<std::uint32_t, std::uint32_t, float, float>
+debug_fluids(SceneBox& box, const World& world, const Matrix6& view, const std::tuple<float, float>& screen,
+             float points, const decltype(FluidFrame::inks)& inks, const decltype(FluidFrame::parts)& parts) {
     const Affine to_pixel = to_affine(view);
     const Vec2 size{std::get<0>(screen), std::get<1>(screen)};
     const FluidScale scale = draw_fluids({overlay_of(box), world, to_pixel, size, points, parts, inks});
-    return {scale.fluids, scale.speed, scale.divergence};
+    return {scale.fluids, scale.particles, scale.speed, scale.divergence};
 }
 
 void add_glyphs(SceneBox& box, nb::bytes boxes, float x, float y, std::uint32_t texture, Rgba8 colour) {
@@ -130,9 +129,10 @@ void register_frame(nb::class_<SceneBox>& scene) {
         .def("debug", &debug_frame, world, view, alpha, points, nb::arg("inks"), nb::arg("parts"),
              "Put the debug view on top of the collected frame; the numbers of bodies, sleepers, contacts, joints, "
              "islands.")
-        .def("debug_fluids", &debug_fluids, world, view, nb::arg("screen"), points, nb::arg("inks"), nb::arg("parts"),
-             "Put the debug view of fluids on top; how many there are, the m/s of the longest arrows, and the 1/s of "
-             "full colours.")
+        .def(
+            "debug_fluids", &debug_fluids, world, view, nb::arg("screen"), points, nb::arg("inks"), nb::arg("parts"),
+            "Put the debug view of fluids on top; how many there are, and of water's particles, the m/s of the longest "
+            "arrows, and the 1/s of full colours.")
         .def(
             "arrow",
             [](SceneBox& box, float x1, float y1, float x2, float y2, float width, Rgba8 colour) {

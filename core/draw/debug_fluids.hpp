@@ -7,10 +7,10 @@
 namespace evil::draw {
 
 // What is drawn; each can be left out. evilengine.scene.DebugView names them in the same order.
-enum class FluidPart : std::uint8_t { flow, divergence, cells, count };
+enum class FluidPart : std::uint8_t { flow, divergence, cells, particles, count };
 
 // What has a colour of its own; in the order of DebugView too.
-enum class FluidInk : std::uint8_t { flow, spreading, gathering, grid, solid, count };
+enum class FluidInk : std::uint8_t { flow, spreading, gathering, grid, solid, liquid, count };
 
 struct FluidFrame {
     const Overlay& overlay;
@@ -25,10 +25,10 @@ struct FluidFrame {
     Rgba8 ink(FluidInk of) const { return inks[static_cast<std::size_t>(of)]; }
 };
 
-struct FluidScale {           // what the legend says
-    std::uint32_t fluids = 0; // in the world
-    float speed = 0.0f;       // m/s that the longest arrows stand for; 0: nothing flows
-    float divergence = 0.0f;  // 1/s that the full colours stand for; 0: nothing gathers, or nobody knows yet
+struct FluidScale {                          // what the legend says
+    std::uint32_t fluids = 0, particles = 0; // in the world
+    float speed = 0.0f;                      // m/s that the longest arrows stand for; 0: nothing flows
+    float divergence = 0.0f; // 1/s that the full colours stand for; 0: nothing gathers, or nobody knows yet
 };
 
 // Smokes are watched from now on: what gathers in them is known after the next step.

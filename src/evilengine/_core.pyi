@@ -1884,9 +1884,9 @@ class Scene:
         Put the debug view on top of the collected frame; the numbers of bodies, sleepers, contacts, joints, islands.
         """
 
-    def debug_fluids(self, world: World, view: tuple[float, float, float, float, float, float], screen: tuple[float, float], points: float, inks: Sequence[int], parts: Sequence[bool]) -> tuple[int, float, float]:
+    def debug_fluids(self, world: World, view: tuple[float, float, float, float, float, float], screen: tuple[float, float], points: float, inks: Sequence[int], parts: Sequence[bool]) -> tuple[int, int, float, float]:
         """
-        Put the debug view of fluids on top; how many there are, the m/s of the longest arrows, and the 1/s of full colours.
+        Put the debug view of fluids on top; how many there are, and of water's particles, the m/s of the longest arrows, and the 1/s of full colours.
         """
 
     def arrow(self, x1: float, y1: float, x2: float, y2: float, width: float, colour: int) -> None: ...

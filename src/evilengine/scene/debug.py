@@ -25,7 +25,7 @@ LEGEND_SIZE = 13.0
 
 WORLD_PARTS = ("shapes", "contacts", "impulses", "joints", "bounds", "islands", "centres", "velocities")
 """What of a world can be shown; in the order of Part in core/draw/debug.hpp."""
-FLUID_PARTS = ("flow", "divergence", "cells")
+FLUID_PARTS = ("flow", "divergence", "cells", "particles")
 """What of fluids can be shown; in the order of FluidPart in core/draw/debug_fluids.hpp."""
 PARTS = (*WORLD_PARTS, "lights", *FLUID_PARTS)
 """All that can be shown."""
@@ -34,7 +34,7 @@ INKS = (
     "velocity",
 )  # fmt: skip
 """Whose colours the core is told; in the order of Ink there."""
-FLUID_INKS = ("arrow", "spreading", "gathering", "grid", "solid")
+FLUID_INKS = ("arrow", "spreading", "gathering", "grid", "solid", "liquid")
 """The same for fluids, in the order of FluidInk."""
 
 Counts: TypeAlias = tuple[int, int, int, int, int]
@@ -49,14 +49,14 @@ def _packed(colour: ColourLike) -> int:
 class DebugView:
     """What the debug view shows, and how; `game.debug = True` shows it, `game.debug_view` is this.
 
-    Each part is on or off by itself: shapes, contacts, joints, centres and flow are on at first.
+    Each part is on or off by itself: shapes, contacts, joints, centres, flow and particles are on at first.
 
     >>> import evilengine as evil
     >>> game = evil.Game(headless=True)
     >>> game.debug = True
     >>> game.debug_view.bounds = game.debug_view.islands = True
     >>> game.debug_view.shown
-    ('shapes', 'contacts', 'joints', 'bounds', 'islands', 'centres', 'flow')
+    ('shapes', 'contacts', 'joints', 'bounds', 'islands', 'centres', 'flow', 'particles')
     """
 
     shapes: bool = True
@@ -81,13 +81,16 @@ class DebugView:
     """Where lights are, how large they are, how far they reach and how wide they open; and the edges of shadows: full
     ones, which end where nothing of a light is hidden whole any more, and half ones."""
     flow: bool = True
-    """Arrows along the flow of smoke, one for every few cells; the legend says from what speed on they are the longest.
+    """Arrows along the flow of smoke and water, one for every few cells; the legend says from what speed on they are the longest.
     One half as long stands for a quarter of that, since flows differ so much."""
     divergence: bool = False
-    """Where smoke spreads and where it gathers: what the pressure has left of that. Colours are full at what the legend
-    says (a share of the cell a second)."""
+    """Where smoke spreads and where it gathers: what the pressure has left of that; and the same of water, as its
+    particles feel it. Colours are full at what the legend says (a share of the cell a second)."""
     cells: bool = False
-    """The cells of smoke, or as many of their lines as there is room for; which are solid; which sides are closed."""
+    """The cells of fluids, or as many of their lines as there is room for; which are solid, which have liquid in them,
+    which sides are closed."""
+    particles: bool = True
+    """Water's particles, in the colours of their liquids."""
     dial: bool = True
     """The dial at the top right, with which way and how strongly gravity pulls."""
     legend: bool = True
@@ -108,11 +111,12 @@ class DebugView:
     light: ColourLike = "#fff1a8"
     umbra: ColourLike = "#ff8f3f"
     penumbra: ColourLike = "#c9a35a90"
-    arrow: ColourLike = "#8fe3ff"
+    arrow: ColourLike = "#b8f0ff"
     spreading: ColourLike = "#ff7a3c"
     gathering: ColourLike = "#3f8cff"
     grid: ColourLike = "#7f93b5"
     solid: ColourLike = "#c77dff80"
+    liquid: ColourLike = "#2f7fd060"
     gravity: ColourLike = "#ffd75e"
     veil: ColourLike = "#0c1018b0"
     """Lies over the world and under the lines, so that they stand out whatever the colours below."""
@@ -162,13 +166,17 @@ class DebugView:
         """Put fluids on top, and say what their colours mean."""
         shown = [bool(getattr(self, part)) for part in FLUID_PARTS]
         inks = [_packed(getattr(self, ink)) for ink in FLUID_INKS]
-        fluids, speed, divergence = core.debug_fluids(world._core, view, screen, scale, inks, shown)
+        fluids, particles, speed, divergence = core.debug_fluids(world._core, view, screen, scale, inks, shown)
         if not fluids:
             return []
         words: list[tuple[ColourLike | None, str]] = [(self.arrow, f"flow to {speed:g} m/s")] if self.flow else []
         if self.divergence:
             words += [(self.spreading, "spreads"), (self.gathering, f"gathers, to {divergence:.1g}/s")]
-        return words + ([(self.solid, "solid cells")] if self.cells else [])
+        if self.cells:
+            words += [(self.solid, "solid cells"), *([(self.liquid, "liquid")] if world.waters else [])]
+        if self.particles and particles:
+            words += [(None, f"particles {particles:,}")]
+        return words
 
     def _light_inks(self) -> tuple[int, int, int]:
         return _packed(self.light), _packed(self.umbra), _packed(self.penumbra)
