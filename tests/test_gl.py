@@ -8,6 +8,7 @@ from __future__ import annotations
 import gc
 import math
 import random
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -304,3 +305,20 @@ def test_a_game_draws_alike_on_the_card_and_in_software() -> None:
             pytest.skip("no driver draws without a window")
         game.close()
     assert difference(*pictures) <= PILED
+
+
+def test_borders_of_a_picture_shown_small_are_the_same_on_the_card_and_in_software(tmp_path: Path) -> None:
+    """Rows that only touch a slice are coloured by the slice that they lie in."""
+    across = 5 * np.indices((48, 48))
+    chequers = 127 + 128 * ((across[0] // 25 + across[1] // 25) % 2)
+    Image.of(48, 48, np.dstack([*across, chequers, np.full((48, 48), 255)]).astype(np.uint8).tobytes()).save(
+        tmp_path / "frame.png"
+    )
+    pictures = []
+    for renderer in ("gl", "soft"):
+        game = evil.Game(size=(64, 48), headless=True, renderer=renderer, folder=tmp_path, view_height=2.4)
+        game.sprite("frame.png", size=(0.9, 0.6), slice=10)
+        pictures.append(np.array(game.capture().pixels))
+        if renderer == "gl" and game.renderer.name == "soft":
+            pytest.skip("no driver draws without a window")
+    assert difference(*pictures) <= CLOSE

@@ -183,12 +183,26 @@ bool stretch_in_row(const Piece& piece, double y, double& first, double& last) {
     return first <= last;
 }
 
+bool crosses(const Piece& piece, double y) {
+    return std::min({piece.y[0], piece.y[1], piece.y[2]}) <= y && y <= std::max({piece.y[0], piece.y[1], piece.y[2]});
+}
+
 // Which piece colours which pixels of the row: each its own stretch, and the gaps between are shared by the neighbours.
+// One that only reaches into the row colours what no other does.
 void find_runs(Paint& paint, int y) {
+    const double middle = y + 0.5;
     paint.runs.clear();
     for (const Piece& piece : paint.pieces) {
         Paint::Run run{0, 0, &piece};
-        if (stretch_in_row(piece, y + 0.5, run.first, run.last)) paint.runs.push_back(run);
+        if (crosses(piece, middle) && stretch_in_row(piece, middle, run.first, run.last)) paint.runs.push_back(run);
+    }
+    const std::size_t crossing = paint.runs.size();
+    for (const Piece& piece : paint.pieces) {
+        Paint::Run run{0, 0, &piece};
+        if (crosses(piece, middle) || !stretch_in_row(piece, middle, run.first, run.last)) continue;
+        const double x = 0.5 * (run.first + run.last);
+        const auto holds = [x](const Paint::Run& other) { return other.first <= x && x <= other.last; };
+        if (std::ranges::none_of(std::span(paint.runs).first(crossing), holds)) paint.runs.push_back(run);
     }
     if (paint.runs.empty()) paint.runs.push_back({0, 0, &paint.pieces[0]});
     std::ranges::stable_sort(paint.runs, {}, [](const Paint::Run& run) { return run.first + run.last; });
