@@ -8,11 +8,12 @@ from pathlib import Path
 
 import pytest
 
-from evilengine.bench import gas
+from evilengine.bench import gas, liquid
 from evilengine.bench.gas_peers import PEERS
 from evilengine.cli import main
 
-SHORT = ["bench", "fluid", "--size", "32", "--steps", "4", "--warm", "3"]
+BRIEF = ["bench", "fluid", "--steps", "4", "--warm", "3"]
+SHORT = [*BRIEF, "--only", "smoke", "--size", "32"]
 
 
 def test_the_numbers_of_a_small_smoke_are_there(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -31,8 +32,8 @@ def test_the_numbers_of_a_small_smoke_are_there(tmp_path: Path, capsys: pytest.C
     assert "copying as much memory" in shown
 
 
-def test_threads_stand_beside_one_another(capsys: pytest.CaptureFixture[str]) -> None:
-    rows, missing = gas.measure([32], 3, 2, (1, 2), [], 10.0, lambda said: None)
+def test_threads_stand_beside_one_another() -> None:
+    rows, missing = gas.measure([32], gas.Plan(steps=3, warm=2, threads=(1, 2)), [], lambda said: None)
     assert "evil fast, 2 threads" in rows[0]["engines"]
     assert missing == []
 
@@ -77,9 +78,33 @@ def test_a_peer_that_is_not_installed_is_said(
     assert "left out: Taichi (" in capsys.readouterr().out
 
 
+def test_water_and_the_frame_of_a_game_are_timed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "numbers.json"
+    assert main([*BRIEF, "--only", "water", "--only", "frame", "--threads", "1", "--json", str(file)]) == 0
+    numbers = json.loads(file.read_text())
+    assert [round(row["particles"], -3) for row in numbers["water"]] == [10_000, 20_000, 50_000]
+    assert all(row["engines"]["evil"]["min"] > 0 for row in numbers["water"])
+    assert numbers["frame"]["min"] > 0
+    assert "smoke" not in numbers
+    shown = capsys.readouterr().out
+    assert "ns a particle" in shown
+    assert "10,011 particles of water" in shown
+
+
+def test_a_dam_holds_the_water_it_is_asked_for() -> None:
+    dam = liquid.Dam(2000, 1, "dam")
+    assert dam.water.count == pytest.approx(2000, rel=0.05)
+    assert sum(body.kind == "dynamic" for body in dam.world.bodies) == liquid.BODIES
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
-    [(["--peer", "Taichy"], "did you mean 'Taichi'"), (["--json", "no/such/folder/x.json"], "there is no folder")],
+    [
+        (["--peer", "Taichy"], "did you mean 'Taichi'"),
+        (["--json", "no/such/folder/x.json"], "there is no folder"),
+        (["--only", "watter"], "did you mean 'water'"),
+        (["--only", "water"], "--size is of one part"),
+    ],
 )
 def test_the_command_refuses_what_it_cannot_do(words: list[str], said: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main([*SHORT, *words]) == 1

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 from typing import Any, Protocol
 
 from evilengine.bench.gas_peers import PEERS, Divergence
 from evilengine.bench.scene import STEP
-from evilengine.bench.timing import Times, best, take_turns
+from evilengine.bench.timing import Runner, Times, best, take_turns
 from evilengine.values.errors import DeviceError
 from evilengine.world.shapes import Circle
 from evilengine.world.world import World
@@ -82,14 +83,25 @@ class Stam:
     divergence = Ours.divergence
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Plan:
+    """How fluids are measured."""
+
+    steps: int | None = None
+    warm: int | None = None
+    threads: Sequence[int] = (1,)
+    patience: float = 10.0
+    """Seconds that one is timed for at most, and that a peer may take for the steps before."""
+
+    def take_turns(self, runners: Sequence[Runner], steps: int = STEPS, warm: int = WARM) -> dict[str, Times]:
+        """All of them, step by step in turn."""
+        return take_turns(
+            runners, self.steps or steps, warm if self.warm is None else self.warm, patience=self.patience
+        )
+
+
 def measure(
-    sizes: Sequence[int],
-    steps: int | None,
-    warm: int | None,
-    threads: Sequence[int],
-    peers: Iterable[str],
-    patience: float,
-    tell: Any,
+    sizes: Sequence[int], plan: Plan, peers: Iterable[str], tell: Callable[[str], None]
 ) -> tuple[list[Numbers], list[str]]:
     """A row for each size, and who is not beside and why."""
     rows: list[Numbers] = []
@@ -97,9 +109,9 @@ def measure(
     speed = copy_speed()
     for cells in sizes:
         tell(f"smoke of {cells} x {cells} cells")
-        runners, without = _runners(cells, threads, peers)
+        runners, without = _runners(cells, plan.threads, peers)
         missing |= dict.fromkeys(without)
-        times = take_turns(runners, steps or STEPS, WARM if warm is None else warm, patience=patience)
+        times = plan.take_turns(runners)
         missing |= dict.fromkeys(f"{one.name} (too slow to wait for)" for one in runners if one.name not in times)
         rows.append(
             {
@@ -152,7 +164,7 @@ def tables_of(rows: Sequence[Numbers]) -> str:
 
     names = list(dict.fromkeys(name for row in rows for name in row["engines"]))
     head = ["", *(f"{row['cells']} x {row['cells']}" for row in rows)]
-    times = [[name, *(_time(row["engines"].get(name), name) for row in rows)] for name in names]
+    times = [[name, *(time_of(row["engines"].get(name), first=name == FAST) for row in rows)] for name in names]
     floors = [f"{row['floor']:.3f} ({row['floor'] / row['engines'][FAST]['min']:.2f})" for row in rows]
     left = [[name, *(_left(row["engines"].get(name)) for row in rows)] for name in names]
     return (
@@ -163,10 +175,11 @@ def tables_of(rows: Sequence[Numbers]) -> str:
     )
 
 
-def _time(one: Numbers | None, name: str) -> str:
+def time_of(one: Numbers | None, *, first: bool) -> str:
+    """Least and median, and how many times as long as the first one takes."""
     if one is None:
         return "-"
-    times = "" if name == FAST else f" ({one['times_ours']:.2f})"
+    times = "" if first else f" ({one['times_ours']:.2f})"
     return f"{one['min']:.2f} / {one['median']:.2f}{times}"
 
 

@@ -7,8 +7,8 @@ that are installed (pip install 'evilengine[bench]'), in the same process and in
   evil bench physics --only growth                 one part: steps, growth, access or memory
   evil bench physics --json numbers.json           the numbers as a file, too
   evil bench draw                                  frames of moving sprites, beside 'evilengine[bench-draw]'
-  evil bench fluid                                 steps of smoke, beside 'evilengine[bench-fluid]'
-  evil bench fluid --size 256 --peer none          one size of smoke, with nobody beside
+  evil bench fluid                                 steps of smoke, water and both, beside 'evilengine[bench-fluid]'
+  evil bench fluid --only smoke --size 256         one part: smoke, water or frame
 """
 
 from __future__ import annotations
@@ -22,17 +22,19 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from evilengine.cli import options
+from evilengine.values.checks import one_of
 from evilengine.values.errors import ArgumentError
 
 if TYPE_CHECKING:
     from evilengine.bench.peers import Peer
 
 PARTS = ("steps", "growth", "access", "memory")
+FLUID_PARTS = ("smoke", "water", "frame")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("what", choices=("physics", "draw", "fluid"), help="what to measure")
-    parser.add_argument("--only", action="append", choices=PARTS, help="only this part (may be given again)")
+    parser.add_argument("--only", action="append", metavar="PART", help="only this part (may be given again)")
     parser.add_argument(
         "--scene", action="append", metavar="NAME", help="only steps of this scene (may be given again)"
     )
@@ -59,6 +61,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
+    known = {"physics": PARTS, "fluid": FLUID_PARTS, "draw": ()}[args.what]
+    for part in args.only or ():
+        one_of(part, f"bench {args.what}", "--only", known)
     if args.what == "draw":
         return _draw(args)
     if args.what == "fluid":
@@ -88,7 +93,6 @@ def _draw(args: argparse.Namespace) -> int:
     from evilengine.bench import drawing, lit
     from evilengine.bench.crowd import SIZE
     from evilengine.bench.drawing_peers import PEERS
-    from evilengine.values.checks import one_of
 
     names = [] if args.peer == ["none"] else [one_of(name, "bench", "--peer", PEERS) for name in args.peer or PEERS]
     target = _target(args.json)
@@ -110,19 +114,33 @@ def _draw(args: argparse.Namespace) -> int:
 
 
 def _fluid(args: argparse.Namespace) -> int:
-    from evilengine.bench import gas
+    from evilengine.bench import gas, liquid
     from evilengine.bench.gas_peers import PEERS
     from evilengine.bench.physics import threads_to_try
-    from evilengine.values.checks import one_of
 
     names = [] if args.peer == ["none"] else [one_of(name, "bench", "--peer", PEERS) for name in args.peer or PEERS]
     target = _target(args.json)
-    sizes = gas.SIZES if args.size is None else (args.size,)
-    rows, missing = gas.measure(sizes, args.steps, args.warm, threads_to_try(args.threads), names, args.patience, tell)
-    print(gas.tables_of(rows))
-    if missing:
-        print(f"left out: {'; '.join(missing)}")
-    _write(target, {"machine": _machine(), "smoke": rows, "left_out": missing})
+    parts = args.only or FLUID_PARTS
+    if args.size is not None and len(parts) != 1:
+        raise ArgumentError("--size is of one part: cells with --only smoke, particles with --only water")
+    threads = threads_to_try(args.threads)
+    plan = gas.Plan(steps=args.steps, warm=args.warm, threads=threads, patience=args.patience)
+    numbers: dict[str, Any] = {"machine": _machine()}
+    if "smoke" in parts:
+        sizes = gas.SIZES if args.size is None else (args.size,)
+        rows, missing = gas.measure(sizes, plan, names, tell)
+        print(gas.tables_of(rows))
+        if missing:
+            print(f"left out: {'; '.join(missing)}")
+        numbers |= {"smoke": rows, "left_out": missing}
+    if "water" in parts:
+        counts = liquid.COUNTS if args.size is None else (args.size,)
+        numbers["water"] = liquid.measure(counts, plan, tell)
+        print(f"\n{liquid.table_of(numbers['water'])}")
+    if "frame" in parts:
+        numbers["frame"] = one = liquid.measure_frame(plan, tell)
+        print(f"\n{liquid.said_of(one)}")
+    _write(target, numbers)
     return 0
 
 
@@ -147,7 +165,6 @@ def tell(text: str) -> None:
 
 def _peers(names: list[str] | None) -> list[type[Peer]]:
     from evilengine.bench.peers import PEERS, found
-    from evilengine.values.checks import one_of
 
     if names == ["none"]:
         return []

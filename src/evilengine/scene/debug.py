@@ -81,8 +81,8 @@ class DebugView:
     """Where lights are, how large they are, how far they reach and how wide they open; and the edges of shadows: full
     ones, which end where nothing of a light is hidden whole any more, and half ones."""
     flow: bool = True
-    """Arrows along the flow of smoke and water, one for every few cells; the legend says from what speed on they are the
-    longest. One half as long stands for a quarter of that, since flows differ so much."""
+    """Arrows along the flow of smoke and water, one for every few cells; the legend says from what speed on they are
+    the longest. One half as long stands for a quarter of that, since flows differ so much."""
     divergence: bool = False
     """Where smoke spreads and where it gathers: what the pressure has left of that; and the same of water, as its
     particles feel it. Colours are full at what the legend says (a share of the cell a second)."""
