@@ -91,7 +91,7 @@ bool Solids::same(std::size_t now, std::size_t before) const {
     return std::equal(&corners_[a.first], &corners_[a.first] + a.count, &corners_before_[b.first]);
 }
 
-bool Solids::update(const World& world, const Grid& grid, Pressure& pressure, InstructionSet set) {
+std::span<const Patch> Solids::redraw(const World& world, const Grid& grid, InstructionSet set) {
     look(world, grid);
     changed_.clear();
     std::size_t before = 0;
@@ -109,11 +109,14 @@ bool Solids::update(const World& world, const Grid& grid, Pressure& pressure, In
     }
     if (fresh_) changed_.assign(1, {0, 0, grid.nx + 1, grid.ny + 1});
     fresh_ = false;
-    for (const Patch& patch : changed_) {
-        draw(grid, patch, set);
+    for (const Patch& patch : changed_) draw(grid, patch, set);
+    return changed_;
+}
+
+bool Solids::update(const World& world, const Grid& grid, Pressure& pressure, InstructionSet set) {
+    for (const Patch& patch : redraw(world, grid, set))
         pressure.set_faces(grid, across_, up_,
                            {std::max(patch.left - 1, 0), std::max(patch.low - 1, 0), patch.right, patch.high});
-    }
     if (!changed_.empty()) find_walls(world, grid, pressure);
     return !changed_.empty();
 }

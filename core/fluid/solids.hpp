@@ -31,7 +31,9 @@ class Solids {
 public:
     void lay_out(const Grid& grid, const std::array<bool, 4>& open);
 
-    // Finds out what changed since the last call and makes that anew, in the pressure's faces too. True: something has.
+    // Finds out what changed since the last call and draws that anew; gives the corners of cells that it touched.
+    std::span<const Patch> redraw(const World& world, const Grid& grid, InstructionSet set);
+    // The same, in the pressure's faces too, and finds walls and shores. True: something changed.
     bool update(const World& world, const Grid& grid, Pressure& pressure, InstructionSet set);
 
     const Field& across() const { return across_; } // open shares of left faces, 0..1
@@ -44,6 +46,7 @@ public:
     std::span<const Wall> walls_across() const { return walls_across_; }
     std::span<const Wall> walls_up() const { return walls_up_; }
     std::span<const Shore> shores() const { return shores_; }
+    const Field& owner() const { return owner_; }       // at corners: the slot of the nearest body + 1, or 0
     const Field& distance() const { return distance_; } // cells, at corners; negative inside a body; 1e30 far from any
     bool any() const { return !pieces_.empty(); }
 

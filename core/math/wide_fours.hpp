@@ -16,6 +16,16 @@ EVIL_INLINE Floats load_fours(const float* lower, const float* upper) {
     return load(lanes);
 #endif
 }
+EVIL_INLINE void store_fours(float* lower, float* upper, Floats a) {
+#if EVIL_WIDTH == 8
+    _mm_storeu_ps(lower, _mm256_castps256_ps128(a.part[0]));
+    _mm_storeu_ps(upper, _mm256_extractf128_ps(a.part[0], 1));
+#else
+    float lanes[kLanes];
+    store(lanes, a);
+    for (int i = 0; i < 4; ++i) lower[i] = lanes[i], upper[i] = lanes[i + 4];
+#endif
+}
 // One float in the lower four lanes, another in the upper four.
 EVIL_INLINE Floats spread_fours(float lower, float upper) {
 #if EVIL_WIDTH == 8

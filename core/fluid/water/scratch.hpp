@@ -1,20 +1,90 @@
 #pragma once
 // What a water needs within a step, and would find again if it were lost.
 #include "fluid/solids.hpp"
+#include "fluid/water/cells_wide.hpp"
+#include "fluid/water/press.hpp"
 #include "fluid/water/water.hpp"
 
 namespace evil::fluid {
 
+// Particles in the order of their cells, in cells and m/s; arrays have room for eight more.
+struct Swarm {
+    std::vector<float> x, y, u, v;
+    std::array<std::vector<float>, 4> affine; // m/s a cell: du/dx, du/dy, dv/dx, dv/dy
+    std::vector<float> mass;                  // of its liquid, as a share of the heaviest's
+    std::vector<std::uint8_t> liquid;
+    std::vector<std::int32_t> cell; // of each particle as it came
+    std::vector<Vec2> place;        // the same, in cells
+    std::size_t count = 0;
+};
+
+// Pairs of numbers on a grid: sums of weight times value, and of weights.
+class Pairs {
+public:
+    void lay_out(const Grid& grid) {
+        begin_ = 2 * (grid.stride + kRim);
+        values_.assign(static_cast<std::size_t>(2 * (grid.stride * (grid.ny + 3) + 2 * kRim)), 0.0f);
+    }
+    float* data() { return values_.data() + begin_; } // of (0, 0)
+
+private:
+    std::vector<float> values_;
+    std::ptrdiff_t begin_ = 0;
+};
+
 struct WaterScratch {
     bool laid_out = false;
     Solids solids;
-    Pressure faces;
+    std::vector<std::uint8_t> near; // by tile: may a body be nearer than a cell?
+    Field volume;                   // share of each cell that no body takes
+    Field per_room;                 // 1 / particles that a cell sees at rest; 0 in a solid
+    Swarm swarm;
+
+    // Tiles of eight cells that hold particles; with all round them; with liquid.
+    std::vector<std::uint8_t> marked; // by tile, with a row more at either end
+    std::vector<Tile> occupied, active, wet_tiles;
+    std::vector<std::uint8_t> any_wet; // of the active tiles
+    std::vector<std::uint32_t> first; // of each cell's particles in the swarm
+
+    Pairs gathered_u, gathered_v, gathered;
+    Field u, v;             // m/s on faces
+    Field shift_u, shift_v; // cells on faces: what keeps the volume
+    Field rho;              // how full cells are of particles, 1 at rest; 2 in a solid
+    Field wet;              // 1 in cells with liquid
+    Field inflow;           // of cells, and what else pressure shall bring about
+    Field spread;           // the pressure that moves particles apart
+    Press press;
+    std::vector<Reach> reaches, unsorted_reaches;
+    std::vector<Rider> riders;
+    std::vector<std::uint32_t> reaches_of; // by body
+    std::vector<Afloat> afloat;
+    int rounds = 0, spread_rounds = 0; // that the pressures took
+    CellsView view(const Water& water);
 };
 
-// Where bodies are now.
-void update_banks(const World& world, Water& water);
+void lay_out(Water& water);
 
-// Metres from a point to the nearest body, negative inside one, by what stands at the corners of its cell.
-float banks_distance(const Water& water, Vec2 at);
+// banks.cpp: where bodies are now, and what that leaves of cells.
+void update_banks(const World& world, Water& water);
+struct Bank {
+    float distance; // cells to the nearest body, negative inside one, by what stands at the corners of the cell
+    Vec2 away;      // the way out
+    std::uint32_t body;
+};
+Bank bank_at(const Water& water, float x, float y); // in cells
+
+// swarm.cpp: particles to the swarm, sorted, and back.
+void take_in(const World& world, Water& water);
+void give_out(const World& world, Water& water, float dt);
+
+// flow.cpp: from particles to faces and back; what pressure does to them.
+void gather_flow(const World& world, Water& water, float dt);
+void find_liquid(const World& world, Water& water);
+void press_flow(World& world, Water& water, float dt);
+void scatter_flow(const World& world, Water& water, float dt);
+
+// riders.cpp: bodies in the pressure's equation.
+void find_riders(const World& world, Water& water, float dt);
+void push_riders(World& world, Water& water, float dt);
 
 } // namespace evil::fluid

@@ -10,10 +10,11 @@ Water::~Water() = default;
 std::unique_ptr<Water> make_water(const Grid& grid, float particle_size) {
     auto water = std::make_unique<Water>();
     water->grid = grid;
+    water->grid.stride = (grid.nx + 2 + 15) / 16 * 16; // two tiles: a coarser level halves them
     water->particle_size = particle_size;
     water->particles = std::make_shared<Particles>(0);
     water->liquids.resize(1);
-    water->pressure.lay_out(grid);
+    water->pressure.lay_out(water->grid);
     water->scratch = std::make_unique<WaterScratch>();
     return water;
 }
@@ -93,7 +94,7 @@ std::size_t fill(World& world, Water& water, const Area& area, std::uint32_t liq
     for (int j = low; j <= top; ++j)
         for (int i = left; i <= right; ++i) {
             const Vec2 at = g.low + size * Vec2{static_cast<float>(i) + 0.5f, static_cast<float>(j) + 0.5f};
-            if (full[spot(i, j)] || !contains(area, at) || banks_distance(water, at) < 0.25f * size) continue;
+            if (full[spot(i, j)] || !contains(area, at) || g.h * bank_at(water, (at.x - g.low.x) / g.h, (at.y - g.low.y) / g.h).distance < 0.25f * size) continue;
             if (!make_room(water, water.count + 1)) return come;
             Particles& p = *water.particles;
             const std::size_t k = water.count++;

@@ -42,6 +42,17 @@ struct Stream { // pours liquid, or drains it
     std::uint64_t serial = 0, born = 0;
 };
 
+// A body that the liquid touched in the last step, and what it was to do after it: what joints and contacts kept it from
+// says how free it is.
+struct Afloat {
+    std::uint32_t body = kNone;
+    std::uint64_t serial = 0;
+    Vec2 velocity, gained; // m/s that it was to have, and how much of that it was to gain
+    float spin = 0.0f, gained_spin = 0.0f;
+    Vec2 force; // of the liquid
+    float torque = 0.0f;
+};
+
 struct WaterScratch;
 
 struct Water {
@@ -55,7 +66,8 @@ struct Water {
     std::shared_ptr<Particles> particles;
     std::size_t count = 0; // of particles
     std::vector<Liquid> liquids;
-    Field pressure; // of the last step, where the next begins to look
+    Field pressure; // of the last step, where the next begins to look; 0 where there is no liquid
+    std::vector<Afloat> afloat; // by body slot
     std::uint64_t serial = 0, born = 0;
 
     std::unique_ptr<WaterScratch> scratch;

@@ -1,0 +1,112 @@
+#include "fluid/water/cells_wide.hpp"
+#include "math/wide.hpp"
+
+namespace evil::EVIL_ISA {
+
+using fluid::CellsView;
+using fluid::Tile;
+
+namespace {
+
+constexpr float kHalf = 0.5f;       // of the fullness at rest: there the surface is
+constexpr float kNearest = 10.0f;   // cells per distance from a cell's middle to the surface, at most
+constexpr float kSolid = 2.0f;      // fullness that stands for a solid
+
+// 1 / distance from the middle of a cell with liquid to the surface, towards one without; the edge of the box is half a
+// cell away.
+EVIL_INLINE Floats per_distance(Floats liquid, Floats air) {
+    const Floats rate = (liquid - air) / max(liquid - Floats(kHalf), Floats(0.05f));
+    return select(air < Floats(kSolid), clamp(rate, 1.0f, kNearest), Floats(2.0f));
+}
+
+struct FaceWeights {
+    Floats liquid, air;
+};
+EVIL_INLINE FaceWeights weigh(Floats open, Floats wet, Floats other_wet, Floats rho, Floats other_rho) {
+    const Floats weight = open * wet;
+    return {weight * other_wet, weight * (Floats(1.0f) - other_wet) * per_distance(rho, other_rho)};
+}
+
+} // namespace
+
+void measure_cells(const CellsView& c, const Tile* tiles, std::size_t count, const float* pairs) noexcept {
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::ptrdiff_t at = tiles[k].at;
+        float particles[kLanes];
+        for (int i = 0; i < kLanes; ++i) particles[i] = pairs[2 * (at + i) + 1];
+        const Floats per_room = load(c.per_room + at);
+        store(c.rho + at, select(per_room > 0.0f, load(particles) * per_room, Floats(kSolid)));
+    }
+}
+
+void find_wet(const CellsView& c, const Tile* tiles, std::size_t count, std::uint8_t* any_wet) noexcept {
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::ptrdiff_t at = tiles[k].at;
+        const Floats sides = min(load(c.rho + at - 1), load(c.rho + at + 1));
+        const Floats ends = min(load(c.rho + at - c.stride), load(c.rho + at + c.stride));
+        const Mask full = (load(c.rho + at) > Floats(kHalf)) | (min(sides, ends) > Floats(kHalf));
+        const Mask wet = full & (load(c.per_room + at) > 0.0f);
+        store(c.wet + at, select(wet, Floats(1.0f), Floats(0.0f)));
+        any_wet[k] = any(wet);
+    }
+}
+
+void weigh_cells(const CellsView& c, const Tile* tiles, std::size_t count) noexcept {
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::ptrdiff_t at = tiles[k].at, s = c.stride;
+        const Floats wet = load(c.wet + at), rho = load(c.rho + at);
+        const FaceWeights left = weigh(load(c.across + at), wet, load(c.wet + at - 1), rho, load(c.rho + at - 1));
+        const FaceWeights right = weigh(load(c.across + at + 1), wet, load(c.wet + at + 1), rho, load(c.rho + at + 1));
+        const FaceWeights below = weigh(load(c.up + at), wet, load(c.wet + at - s), rho, load(c.rho + at - s));
+        const FaceWeights above = weigh(load(c.up + at + s), wet, load(c.wet + at + s), rho, load(c.rho + at + s));
+        const Floats drain = (left.air + right.air) + (below.air + above.air);
+        const Floats total = ((left.liquid + right.liquid) + (below.liquid + above.liquid)) + drain;
+        store(c.left + at, left.liquid);
+        store(c.right + at, right.liquid);
+        store(c.below + at, below.liquid);
+        store(c.above + at, above.liquid);
+        store(c.drain + at, drain);
+        store(c.total + at, total);
+        store(c.inverse + at, select(total > 0.0f, Floats(1.0f) / total, Floats(0.0f)));
+    }
+}
+
+void find_inflow_of(const CellsView& c, const Tile* tiles, std::size_t count, const float* u, const float* v,
+                    float* inflow) noexcept {
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::ptrdiff_t at = tiles[k].at, s = c.stride;
+        const Floats across = load(c.across + at) * load(u + at) - load(c.across + at + 1) * load(u + at + 1);
+        const Floats up = load(c.up + at) * load(v + at) - load(c.up + at + s) * load(v + at + s);
+        store(inflow + at, load(c.wet + at) * (across + up));
+    }
+}
+
+void flow_by_pressure(const CellsView& c, const Tile* tiles, std::size_t count, const float* p, float* u,
+                      float* v) noexcept {
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::ptrdiff_t at = tiles[k].at;
+        const Floats wet = load(c.wet + at), rho = load(c.rho + at), here = load(p + at);
+        auto lose = [&](const float* open, float* flow, std::ptrdiff_t other) {
+            const Floats other_wet = load(c.wet + other), other_rho = load(c.rho + other), there = load(p + other);
+            const Floats outward = wet * (Floats(1.0f) - other_wet) * here * per_distance(rho, other_rho);
+            const Floats inward = other_wet * (Floats(1.0f) - wet) * there * per_distance(other_rho, rho);
+            const Floats change = wet * other_wet * (here - there) + (outward - inward);
+            const Floats before = load(flow + at);
+            store(flow + at, select(load(open + at) > 0.0f, before - change, before));
+        };
+        lose(c.across, u, at - 1);
+        lose(c.up, v, at - c.stride);
+    }
+}
+
+void find_crowds(const CellsView& c, const Tile* tiles, std::size_t count, float share, float* crowd) noexcept {
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::ptrdiff_t at = tiles[k].at;
+        const Floats more = clamp(load(c.rho + at) - Floats(1.0f), -0.5f, 0.5f);
+        // beside air or a body nobody knows how much is missing
+        const Mask sure = (load(c.drain + at) == Floats(0.0f)) & (load(c.per_room + at) <= Floats(0.2501f));
+        store(crowd + at, load(c.wet + at) * Floats(share) * select(sure, more, max(more, Floats(0.0f))));
+    }
+}
+
+} // namespace evil::EVIL_ISA

@@ -1,0 +1,165 @@
+#include "fluid/water/press.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace evil::fluid {
+namespace {
+
+constexpr int kCoarsest = 4;        // cells each way that sweeps alone solve well
+constexpr int kCoarsestSweeps = 6;  // there
+constexpr float kSilent = 1e-6f;    // m/s: what may be left in each cell whatever is asked for
+constexpr float kCoarseDrain = 0.5f; // air is twice as far, on a level twice as coarse
+
+void clear_tiles(PressLevel& level) {
+    for (Field* field : {&level.left, &level.right, &level.below, &level.above, &level.drain, &level.total,
+                         &level.inverse, &level.z, &level.b})
+        for (const Tile& tile : level.tiles) std::fill_n(field->data() + tile.at, 8, 0.0f);
+    level.tiles.clear();
+}
+
+void find_tiles(const PressLevel& fine, PressLevel& coarse) {
+    const std::ptrdiff_t across = coarse.grid.stride / 8;
+    for (const Tile& tile : fine.tiles) coarse.marked[static_cast<std::size_t>((tile.j >> 1) * across + (tile.i >> 4))] = 1;
+    for (const Tile& tile : fine.tiles) { // rows come in order: those of two fine ones are merged by the marks
+        const std::size_t mark = static_cast<std::size_t>((tile.j >> 1) * across + (tile.i >> 4));
+        if (!coarse.marked[mark]) continue;
+        coarse.marked[mark] = 0;
+        const int i = (tile.i >> 4) * 8, j = tile.j >> 1;
+        coarse.tiles.push_back({i, j, coarse.grid.at(i, j)});
+    }
+}
+
+// A coarse face's weight is that of the two fine ones that it is made of, over twice the distance.
+void coarsen(const PressLevel& fine, PressLevel& coarse) {
+    for (const Tile& tile : coarse.tiles)
+        for (int k = 0; k < 8; ++k) {
+            const std::ptrdiff_t at = tile.at + k;
+            const std::ptrdiff_t a = fine.grid.at(2 * (tile.i + k), 2 * tile.j), c = a + fine.grid.stride;
+            coarse.left[at] = 0.5f * (fine.left[a] + fine.left[c]);
+            coarse.right[at] = 0.5f * (fine.right[a + 1] + fine.right[c + 1]);
+            coarse.below[at] = 0.5f * (fine.below[a] + fine.below[a + 1]);
+            coarse.above[at] = 0.5f * (fine.above[c] + fine.above[c + 1]);
+            coarse.drain[at] = kCoarseDrain * ((fine.drain[a] + fine.drain[a + 1]) + (fine.drain[c] + fine.drain[c + 1]));
+            const float total = coarse.left[at] + coarse.right[at] + coarse.below[at] + coarse.above[at] + coarse.drain[at];
+            coarse.total[at] = total;
+            coarse.inverse[at] = total > 0.0f ? 1.0f / total : 0.0f;
+        }
+}
+
+} // namespace
+
+PushOf push_of(const Rider& rider, std::span<const Reach> reaches, const float* pressure) {
+    PushOf sum;
+    for (std::uint32_t k = rider.first; k < rider.last; ++k) {
+        const double p = double(pressure[reaches[k].at]);
+        sum.x += p * double(reaches[k].x), sum.y += p * double(reaches[k].y), sum.turn += p * double(reaches[k].turn);
+    }
+    return sum;
+}
+
+PressView PressLevel::view() {
+    return {grid.stride, tiles.data(), tiles.size(), left.data(), right.data(), below.data(), above.data(), total.data(),
+            inverse.data(), z.data(), b.data()};
+}
+
+void Press::lay_out(const Grid& grid) {
+    levels_.clear();
+    Grid now = grid;
+    while (true) {
+        PressLevel& level = levels_.emplace_back();
+        level.grid = now;
+        for (Field* field : {&level.left, &level.right, &level.below, &level.above, &level.drain, &level.total,
+                             &level.inverse, &level.z, &level.b})
+            field->lay_out(now);
+        level.marked.assign(static_cast<std::size_t>(now.stride / 8 * (now.ny + 2)), 0);
+        if (std::max(now.nx, now.ny) <= kCoarsest) break;
+        const int nx = (now.nx + 1) / 2, wide = std::max(now.stride / 2, nx + 2);
+        now = {nx, (now.ny + 1) / 2, (wide + 15) / 16 * 16, grid.low, 2.0f * now.h}; // a tile's sixteen cells are in one row
+    }
+    search_.lay_out(grid), image_.lay_out(grid);
+}
+
+void Press::begin() {
+    for (PressLevel& level : levels_) clear_tiles(level);
+}
+
+void Press::finish(InstructionSet) {
+    float drained = 0.0f;
+    for (const Tile& tile : levels_[0].tiles)
+        for (int k = 0; k < 8; ++k) drained += levels_[0].drain[tile.at + k];
+    closed_ = drained == 0.0f;
+    for (std::size_t k = 1; k < levels_.size(); ++k) {
+        find_tiles(levels_[k - 1], levels_[k]);
+        coarsen(levels_[k - 1], levels_[k]);
+    }
+}
+
+void Press::cycle(std::size_t number, InstructionSet set) {
+    const PressView fine = levels_[number].view();
+    EVIL_PICK(set, press_start)(fine);
+    EVIL_PICK(set, press_relax)(fine, 1);
+    if (number + 1 == levels_.size()) {
+        for (int sweep = 0; sweep < kCoarsestSweeps; ++sweep)
+            EVIL_PICK(set, press_relax)(fine, 0), EVIL_PICK(set, press_relax)(fine, 1);
+        for (int sweep = 0; sweep < kCoarsestSweeps; ++sweep)
+            EVIL_PICK(set, press_relax)(fine, 1), EVIL_PICK(set, press_relax)(fine, 0);
+    } else {
+        const PressView coarse = levels_[number + 1].view();
+        EVIL_PICK(set, press_restrict)(fine, coarse);
+        cycle(number + 1, set);
+        EVIL_PICK(set, press_prolong)(coarse, fine);
+    }
+    EVIL_PICK(set, press_relax)(fine, 1); // the same way back, so that the whole is symmetric
+    EVIL_PICK(set, press_relax)(fine, 0);
+}
+
+void Press::add_riders(const Riders& riders, const float* p, float* result, double* energy) const {
+    for (const Rider& rider : riders.all) {
+        if (!rider.free) continue;
+        const PushOf sum = push_of(rider, riders.reaches, p);
+        const double x = sum.x * double(rider.per_mass), y = sum.y * double(rider.per_mass);
+        const double turn = sum.turn * double(rider.per_inertia);
+        *energy += sum.x * x + sum.y * y + sum.turn * turn;
+        for (std::uint32_t k = rider.first; k < rider.last; ++k) {
+            const Reach& reach = riders.reaches[k];
+            result[reach.at] += static_cast<float>(double(reach.x) * x + double(reach.y) * y + double(reach.turn) * turn);
+        }
+    }
+}
+
+int Press::solve(const Field& b, Field& p, const Riders& riders, float tolerance, int most_rounds, InstructionSet set) {
+    PressLevel& fine = levels_[0];
+    const PressView view = fine.view();
+    float asked = 0.0f, mean = 0.0f, cells = 0.0f;
+    double energy = 0.0;
+    EVIL_PICK(set, press_apply)(view, p.data(), image_.data());
+    add_riders(riders, p.data(), image_.data(), &energy);
+    for (const Tile& tile : fine.tiles)
+        for (std::ptrdiff_t at = tile.at; at < tile.at + 8; ++at)
+            if (fine.inverse[at] > 0.0f) mean += b[at], cells += 1.0f;
+    mean = closed_ && cells > 0.0f ? mean / cells : 0.0f; // what no flow can even out is left alone
+    for (const Tile& tile : fine.tiles)
+        for (std::ptrdiff_t at = tile.at; at < tile.at + 8; ++at) {
+            const float wanted = fine.inverse[at] > 0.0f ? b[at] - mean : 0.0f;
+            asked += wanted * wanted;
+            fine.b[at] = fine.inverse[at] > 0.0f ? wanted - image_[at] : 0.0f;
+        }
+    const float enough = std::max(tolerance * tolerance * asked, kSilent * kSilent * cells);
+    float left = EVIL_PICK(set, press_dot)(view, fine.b.data(), fine.b.data()), before = 1.0f;
+    int round = 0;
+    for (; round < most_rounds && left > enough; ++round) {
+        cycle(0, set);
+        const float now = EVIL_PICK(set, press_dot)(view, fine.b.data(), fine.z.data());
+        if (!(now > 0.0f)) break;
+        EVIL_PICK(set, press_turn)(view, round == 0 ? 0.0f : now / before, search_.data());
+        before = now;
+        energy = double(EVIL_PICK(set, press_apply)(view, search_.data(), image_.data()));
+        add_riders(riders, search_.data(), image_.data(), &energy);
+        if (!(energy > 0.0)) break;
+        left = EVIL_PICK(set, press_advance)(view, static_cast<float>(double(now) / energy), search_.data(),
+                                             image_.data(), p.data());
+    }
+    return round;
+}
+
+} // namespace evil::fluid

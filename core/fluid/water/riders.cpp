@@ -1,0 +1,164 @@
+// Bodies in the pressure's equation (Batty, Bertails and Bridson 2007): what they close of cells' faces moves as they do,
+// and pressure moves those that are free.
+#include "fluid/water/scratch.hpp"
+#include "world.hpp"
+#include <algorithm>
+
+namespace evil::fluid {
+namespace {
+
+constexpr float kWakes = 0.5f;    // m/s2 by which the push on a sleeping body must change to wake it
+constexpr float kMostPush = 1e4f; // m/s2: a squeezed pocket may press without bounds
+
+float heaviest(const Water& water) {
+    float most = 0.0f;
+    for (const Liquid& liquid : water.liquids) most = std::max(most, liquid.density);
+    return most;
+}
+
+class Finder {
+public:
+    Finder(const World& world, Water& water) : world_(world), water_(water), s_(*water.scratch), g_(water.grid) {}
+
+    void look_at(int i, int j) {
+        const std::ptrdiff_t at = g_.at(i, j), s = g_.stride;
+        if (s_.wet[at] == 0.0f) return;
+        count_ = 0;
+        const Field &across = s_.solids.across(), &up = s_.solids.up();
+        const auto x = static_cast<float>(i), y = static_cast<float>(j);
+        if (i > 0) add(1.0f - across[at], at, at + s, {-1.0f, 0.0f}, {x, y + 0.5f});
+        if (i + 1 < g_.nx) add(1.0f - across[at + 1], at + 1, at + s + 1, {1.0f, 0.0f}, {x + 1.0f, y + 0.5f});
+        if (j > 0) add(1.0f - up[at], at, at + 1, {0.0f, -1.0f}, {x + 0.5f, y});
+        if (j + 1 < g_.ny) add(1.0f - up[at + s], at + s, at + s + 1, {0.0f, 1.0f}, {x + 0.5f, y + 1.0f});
+        for (int k = 0; k < count_; ++k) {
+            found_[k].at = static_cast<std::int32_t>(at);
+            s_.unsorted_reaches.push_back(found_[k]);
+        }
+    }
+
+private:
+    // A face between two corners of cells, its direction out of the cell.
+    void add(float closed, std::ptrdiff_t a, std::ptrdiff_t b, Vec2 out, Vec2 middle) {
+        if (closed <= 0.0f) return;
+        const Field &distance = s_.solids.distance(), &owner = s_.solids.owner();
+        const float number = distance[a] < distance[b] ? owner[a] : owner[b];
+        if (number == 0.0f) return;
+        const std::uint32_t slot = static_cast<std::uint32_t>(number) - 1;
+        const Body& body = world_.bodies.rows[slot];
+        if (!moves(body)) return;
+        int k = 0;
+        while (k < count_ && found_[k].body != slot) ++k;
+        if (k == count_) found_[count_++] = {0, 0.0f, 0.0f, 0.0f, slot};
+        const Vec2 arm = g_.low + g_.h * middle - body.centre;
+        found_[k].x += closed * out.x;
+        found_[k].y += closed * out.y;
+        found_[k].turn += closed * cross(arm, out);
+    }
+
+    const World& world_;
+    Water& water_;
+    WaterScratch& s_;
+    const Grid& g_;
+    Reach found_[4];
+    int count_ = 0;
+};
+
+// Reaches by body, in the order of their cells.
+void sort_reaches(WaterScratch& s, std::size_t bodies) {
+    s.reaches_of.assign(bodies + 1, 0);
+    for (const Reach& reach : s.unsorted_reaches) ++s.reaches_of[reach.body + 1];
+    s.riders.clear();
+    for (std::uint32_t slot = 0; slot < bodies; ++slot) {
+        const std::uint32_t count = s.reaches_of[slot + 1];
+        s.reaches_of[slot + 1] += s.reaches_of[slot];
+        if (count == 0) continue;
+        Rider rider;
+        rider.body = slot, rider.first = s.reaches_of[slot], rider.last = rider.first + count;
+        s.riders.push_back(rider);
+    }
+    s.reaches.resize(s.unsorted_reaches.size());
+    for (const Reach& reach : s.unsorted_reaches) s.reaches[s.reaches_of[reach.body]++] = reach;
+}
+
+// What joints and contacts kept a body from in the last step they will keep it from again: at most what it was to gain.
+Vec2 held(Vec2 missing, Vec2 gained) {
+    const float along = dot(missing, gained), most = length_squared(gained), size = length_squared(missing);
+    if (!(along < 0.0f) || most == 0.0f) return {};
+    return size > most ? std::sqrt(most / size) * missing : missing;
+}
+float held(float missing, float gained) {
+    if (!(missing * gained < 0.0f)) return 0.0f;
+    return std::clamp(missing, -std::abs(gained), std::abs(gained));
+}
+
+const Afloat* remembered(const Water& water, std::uint32_t slot, const Body& body) {
+    const auto it = std::ranges::lower_bound(water.afloat, slot, {}, &Afloat::body);
+    return it != water.afloat.end() && it->body == slot && it->serial == body.serial ? &*it : nullptr;
+}
+
+} // namespace
+
+void find_riders(const World& world, Water& water, float dt) {
+    WaterScratch& s = *water.scratch;
+    const Grid& g = water.grid;
+    s.unsorted_reaches.clear(), s.reaches.clear(), s.riders.clear();
+    if (!s.solids.any()) return;
+    Finder finder(world, water);
+    for (const Tile& tile : s.wet_tiles)
+        if (s.near[static_cast<std::size_t>(tile.at / 8)])
+            for (int i = tile.i; i < std::min(tile.i + 8, g.nx); ++i) finder.look_at(i, tile.j);
+    sort_reaches(s, world.bodies.rows.size());
+    const float per_push = heaviest(water) * g.h * g.h;
+    for (Rider& rider : s.riders) {
+        const Body& b = world.bodies.rows[rider.body];
+        rider.velocity = b.velocity, rider.spin = b.spin;
+        rider.free = b.kind == BodyKind::dynamic && b.awake;
+        if (rider.free) {
+            rider.per_mass = per_push * b.inv_mass, rider.per_inertia = per_push * b.inv_inertia;
+            rider.velocity += dt * (b.gravity_scale * world.gravity + b.inv_mass * b.force);
+            rider.spin += dt * b.inv_inertia * b.torque;
+            if (const Afloat* last = remembered(water, rider.body, b)) {
+                rider.velocity += held(b.velocity - last->velocity, last->gained);
+                rider.spin += held(b.spin - last->spin, last->gained_spin);
+            }
+        }
+        for (std::uint32_t k = rider.first; k < rider.last; ++k) {
+            const Reach& reach = s.reaches[k];
+            s.inflow[reach.at] -= reach.x * rider.velocity.x + reach.y * rider.velocity.y + reach.turn * rider.spin;
+        }
+    }
+}
+
+void push_riders(World& world, Water& water, float dt) {
+    WaterScratch& s = *water.scratch;
+    const float per_push = heaviest(water) * water.grid.h * water.grid.h / dt;
+    s.afloat.clear();
+    for (const Rider& rider : s.riders) {
+        Body& b = world.bodies.rows[rider.body];
+        if (b.kind != BodyKind::dynamic) continue;
+        const PushOf sum = push_of(rider, s.reaches, water.pressure.data());
+        const Vec2 push{static_cast<float>(sum.x) * per_push, static_cast<float>(sum.y) * per_push};
+        const Vec2 force = clamped(push, kMostPush * b.mass);
+        const float torque = clamped(static_cast<float>(sum.turn) * per_push, kMostPush * b.inertia);
+        const Afloat* last = remembered(water, rider.body, b);
+        if (!b.awake) {
+            const Vec2 change = last ? force - last->force : force;
+            const float turn = last ? torque - last->torque : torque;
+            if (length(change) < kWakes * b.mass && std::abs(turn) < kWakes * b.inertia) {
+                if (last) s.afloat.push_back(*last);
+                continue;
+            }
+            b.awake = true, b.still_time = 0.0f;
+        }
+        Afloat now{rider.body, b.serial, {}, {}, 0.0f, 0.0f, force, torque};
+        b.force = clamped(b.force + force, kMaxForce);
+        b.torque = clamped(b.torque + torque, kMaxForce);
+        now.gained = dt * (b.gravity_scale * world.gravity + b.inv_mass * b.force);
+        now.gained_spin = dt * b.inv_inertia * b.torque;
+        now.velocity = b.velocity + now.gained, now.spin = b.spin + now.gained_spin;
+        s.afloat.push_back(now);
+    }
+    water.afloat.swap(s.afloat);
+}
+
+} // namespace evil::fluid
