@@ -62,7 +62,8 @@ void lay_out(Water& water) {
     const Grid& g = water.grid;
     s.solids.lay_out(g, water.open);
     s.press.lay_out(g);
-    for (Field* field : {&s.volume, &s.per_room, &s.u, &s.v, &s.shift_u, &s.shift_v, &s.rho, &s.wet, &s.inflow, &s.spread})
+    for (Field* field :
+         {&s.volume, &s.per_room, &s.u, &s.v, &s.shift_u, &s.shift_v, &s.rho, &s.wet, &s.inflow, &s.spread})
         field->lay_out(g);
     for (Pairs* pairs : {&s.gathered_u, &s.gathered_v, &s.gathered}) pairs->lay_out(g);
     const auto tiles = static_cast<std::size_t>(g.stride / 8);

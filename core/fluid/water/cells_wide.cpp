@@ -8,9 +8,9 @@ using fluid::Tile;
 
 namespace {
 
-constexpr float kHalf = 0.5f;       // of the fullness at rest: there the surface is
-constexpr float kNearest = 10.0f;   // cells per distance from a cell's middle to the surface, at most
-constexpr float kSolid = 2.0f;      // fullness that stands for a solid
+constexpr float kHalf = 0.5f;     // of the fullness at rest: there the surface is
+constexpr float kNearest = 10.0f; // cells per distance from a cell's middle to the surface, at most
+constexpr float kSolid = 2.0f;    // fullness that stands for a solid
 
 // 1 / distance from the middle of a cell with liquid to the surface, towards one without; the edge of the box is half a
 // cell away.
@@ -103,8 +103,8 @@ void find_crowds(const CellsView& c, const Tile* tiles, std::size_t count, float
     for (std::size_t k = 0; k < count; ++k) {
         const std::ptrdiff_t at = tiles[k].at;
         const Floats more = clamp(load(c.rho + at) - Floats(1.0f), -0.5f, 0.5f);
-        // beside air or a body nobody knows how much is missing
-        const Mask sure = (load(c.drain + at) == Floats(0.0f)) & (load(c.per_room + at) <= Floats(0.2501f));
+        // beside air nobody knows how much is missing
+        const Mask sure = load(c.drain + at) == Floats(0.0f);
         store(crowd + at, load(c.wet + at) * Floats(share) * select(sure, more, max(more, Floats(0.0f))));
     }
 }

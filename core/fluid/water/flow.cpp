@@ -6,9 +6,9 @@
 namespace evil::fluid {
 namespace {
 
-constexpr float kTolerance = 1e-3f;       // of the divergence, that pressure leaves
-constexpr float kSpreadTolerance = 0.1f;  // of the crowding
-constexpr float kSpreadShare = 0.5f;      // of the crowding that one step takes away
+constexpr float kTolerance = 1e-3f;      // of the divergence, that pressure leaves
+constexpr float kSpreadTolerance = 0.1f; // of the crowding
+constexpr float kSpreadShare = 0.5f;     // of the crowding that one step takes away
 constexpr int kMostRounds = 60, kMostSpreadRounds = 6;
 
 SwarmView view_of(Swarm& swarm) {
@@ -81,7 +81,8 @@ void slide_along(const World& world, Water& water, Field& flow, const Field& ope
         for (std::ptrdiff_t other : {at - along, at + along, at - beside, at + beside})
             if (open[other] > 0.0f && (s.wet[other] > 0.0f || s.wet[other - beside] > 0.0f))
                 sum += flow[other], count += 1.0f;
-        const Vec2 middle{static_cast<float>(i) + (sideways ? 0.0f : 0.5f), static_cast<float>(j) + (sideways ? 0.5f : 0.0f)};
+        const Vec2 middle{static_cast<float>(i) + (sideways ? 0.0f : 0.5f),
+                          static_cast<float>(j) + (sideways ? 0.5f : 0.0f)};
         const Bank bank = bank_at(water, middle.x, middle.y);
         Vec2 body;
         if (bank.body != kNone && moves(world.bodies.rows[bank.body]))
@@ -146,7 +147,8 @@ void press_flow(World& world, Water& water, float dt) {
         for (std::ptrdiff_t k = tile.at; k < tile.at + 8; ++k)
             if (s.wet[k] == 0.0f) water.pressure[k] = s.spread[k] = 0.0f;
     s.rounds = s.press.solve(s.inflow, water.pressure, {s.riders, s.reaches}, kTolerance, kMostRounds, set);
-    EVIL_PICK(set, flow_by_pressure)(cells, active.data(), active.size(), water.pressure.data(), s.u.data(), s.v.data());
+    EVIL_PICK(set, flow_by_pressure)(cells, active.data(), active.size(), water.pressure.data(), s.u.data(),
+                                     s.v.data());
     push_riders(world, water, dt);
     slide_along(world, water, s.u, s.solids.across(), true);
     slide_along(world, water, s.v, s.solids.up(), false);
@@ -156,7 +158,8 @@ void press_flow(World& world, Water& water, float dt) {
     EVIL_PICK(set, find_crowds)(cells, wet.data(), wet.size(), kSpreadShare, s.inflow.data());
     for (const Tile& tile : wet) std::fill_n(s.spread.data() + tile.at, 8, 0.0f);
     s.spread_rounds = s.press.solve(s.inflow, s.spread, {}, kSpreadTolerance, kMostSpreadRounds, set);
-    EVIL_PICK(set, flow_by_pressure)(cells, active.data(), active.size(), s.spread.data(), s.shift_u.data(), s.shift_v.data());
+    EVIL_PICK(set, flow_by_pressure)(cells, active.data(), active.size(), s.spread.data(), s.shift_u.data(),
+                                     s.shift_v.data());
     close_sides(water, s.shift_u, s.shift_v);
     mirror_rim(s, water.grid, s.shift_u, s.shift_v);
 }
@@ -164,7 +167,8 @@ void press_flow(World& world, Water& water, float dt) {
 void scatter_flow(const World& world, Water& water, float dt) {
     WaterScratch& s = *water.scratch;
     EVIL_PICK(world.instruction_set, carry_particles)
-    (view_of(s.swarm), water.grid.stride, s.u.data(), s.v.data(), s.shift_u.data(), s.shift_v.data(), dt / water.grid.h);
+    (view_of(s.swarm), water.grid.stride, s.u.data(), s.v.data(), s.shift_u.data(), s.shift_v.data(),
+     dt / water.grid.h);
 }
 
 } // namespace evil::fluid

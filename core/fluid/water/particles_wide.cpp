@@ -109,7 +109,8 @@ void carry_particles(const SwarmView& p, std::ptrdiff_t stride, const float* u, 
         // half way the velocity is what it is here and how it changes along the way
         const Floats half(0.5f * cells), most(1.0f), least(-1.0f);
         auto bent = [&](const Taste& flow) {
-            return flow.value + clamp(half * flow.dx, least, most) * flow_u.value + clamp(half * flow.dy, least, most) * flow_v.value;
+            return flow.value + clamp(half * flow.dx, least, most) * flow_u.value +
+                   clamp(half * flow.dy, least, most) * flow_v.value;
         };
         store(p.u + k, flow_u.value);
         store(p.v + k, flow_v.value);

@@ -5,9 +5,9 @@
 namespace evil::fluid {
 namespace {
 
-constexpr int kCoarsest = 4;        // cells each way that sweeps alone solve well
-constexpr int kCoarsestSweeps = 6;  // there
-constexpr float kSilent = 1e-6f;    // m/s: what may be left in each cell whatever is asked for
+constexpr int kCoarsest = 4;         // cells each way that sweeps alone solve well
+constexpr int kCoarsestSweeps = 6;   // there
+constexpr float kSilent = 1e-6f;     // m/s: what may be left in each cell whatever is asked for
 constexpr float kCoarseDrain = 0.5f; // air is twice as far, on a level twice as coarse
 
 void clear_tiles(PressLevel& level) {
@@ -19,7 +19,8 @@ void clear_tiles(PressLevel& level) {
 
 void find_tiles(const PressLevel& fine, PressLevel& coarse) {
     const std::ptrdiff_t across = coarse.grid.stride / 8;
-    for (const Tile& tile : fine.tiles) coarse.marked[static_cast<std::size_t>((tile.j >> 1) * across + (tile.i >> 4))] = 1;
+    for (const Tile& tile : fine.tiles)
+        coarse.marked[static_cast<std::size_t>((tile.j >> 1) * across + (tile.i >> 4))] = 1;
     for (const Tile& tile : fine.tiles) { // rows come in order: those of two fine ones are merged by the marks
         const std::size_t mark = static_cast<std::size_t>((tile.j >> 1) * across + (tile.i >> 4));
         if (!coarse.marked[mark]) continue;
@@ -39,8 +40,10 @@ void coarsen(const PressLevel& fine, PressLevel& coarse) {
             coarse.right[at] = 0.5f * (fine.right[a + 1] + fine.right[c + 1]);
             coarse.below[at] = 0.5f * (fine.below[a] + fine.below[a + 1]);
             coarse.above[at] = 0.5f * (fine.above[c] + fine.above[c + 1]);
-            coarse.drain[at] = kCoarseDrain * ((fine.drain[a] + fine.drain[a + 1]) + (fine.drain[c] + fine.drain[c + 1]));
-            const float total = coarse.left[at] + coarse.right[at] + coarse.below[at] + coarse.above[at] + coarse.drain[at];
+            coarse.drain[at] =
+                kCoarseDrain * ((fine.drain[a] + fine.drain[a + 1]) + (fine.drain[c] + fine.drain[c + 1]));
+            const float total =
+                coarse.left[at] + coarse.right[at] + coarse.below[at] + coarse.above[at] + coarse.drain[at];
             coarse.total[at] = total;
             coarse.inverse[at] = total > 0.0f ? 1.0f / total : 0.0f;
         }
@@ -58,8 +61,8 @@ PushOf push_of(const Rider& rider, std::span<const Reach> reaches, const float* 
 }
 
 PressView PressLevel::view() {
-    return {grid.stride, tiles.data(), tiles.size(), left.data(), right.data(), below.data(), above.data(), total.data(),
-            inverse.data(), z.data(), b.data()};
+    return {grid.stride,  tiles.data(), tiles.size(),   left.data(), right.data(), below.data(),
+            above.data(), total.data(), inverse.data(), z.data(),    b.data()};
 }
 
 void Press::lay_out(const Grid& grid) {
@@ -74,7 +77,8 @@ void Press::lay_out(const Grid& grid) {
         level.marked.assign(static_cast<std::size_t>(now.stride / 8 * (now.ny + 2)), 0);
         if (std::max(now.nx, now.ny) <= kCoarsest) break;
         const int nx = (now.nx + 1) / 2, wide = std::max(now.stride / 2, nx + 2);
-        now = {nx, (now.ny + 1) / 2, (wide + 15) / 16 * 16, grid.low, 2.0f * now.h}; // a tile's sixteen cells are in one row
+        now = {nx, (now.ny + 1) / 2, (wide + 15) / 16 * 16, grid.low,
+               2.0f * now.h}; // a tile's sixteen cells are in one row
     }
     search_.lay_out(grid), image_.lay_out(grid);
 }
@@ -122,7 +126,8 @@ void Press::add_riders(const Riders& riders, const float* p, float* result, doub
         *energy += sum.x * x + sum.y * y + sum.turn * turn;
         for (std::uint32_t k = rider.first; k < rider.last; ++k) {
             const Reach& reach = riders.reaches[k];
-            result[reach.at] += static_cast<float>(double(reach.x) * x + double(reach.y) * y + double(reach.turn) * turn);
+            result[reach.at] +=
+                static_cast<float>(double(reach.x) * x + double(reach.y) * y + double(reach.turn) * turn);
         }
     }
 }

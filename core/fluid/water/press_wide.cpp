@@ -49,7 +49,8 @@ void press_restrict(const PressView& fine, const PressView& coarse) noexcept {
         for (int half = 0; half < 2; ++half) {
             Floats sum(0.0f);
             for (std::ptrdiff_t at : {low + half * kLanes, low + half * kLanes + fine.stride})
-                sum += load(fine.b + at) - (load(fine.total + at) * load(fine.z + at) - from_neighbours(fine, fine.z, at));
+                sum +=
+                    load(fine.b + at) - (load(fine.total + at) * load(fine.z + at) - from_neighbours(fine, fine.z, at));
             store(left + half * kLanes, sum);
         }
         for (int i = 0; i < kLanes; ++i) coarse.b[tile.at + i] = left[2 * i] + left[2 * i + 1];

@@ -23,7 +23,7 @@ struct PressView {
 
 namespace evil {
 
-EVIL_WIDE(void press_start(const fluid::PressView& level) noexcept;)             // red cells from z = 0; black ones are 0
+EVIL_WIDE(void press_start(const fluid::PressView& level) noexcept;) // red cells from z = 0; black ones are 0
 EVIL_WIDE(void press_relax(const fluid::PressView& level, int colour) noexcept;) // Gauss-Seidel of one colour
 EVIL_WIDE(void press_restrict(const fluid::PressView& fine, const fluid::PressView& coarse) noexcept;)
 EVIL_WIDE(void press_prolong(const fluid::PressView& coarse, const fluid::PressView& fine) noexcept;)
@@ -33,6 +33,7 @@ EVIL_WIDE(float press_dot(const fluid::PressView& level, const float* p, const f
 // p += step * search, b -= step * image; gives b * b.
 EVIL_WIDE(float press_advance(const fluid::PressView& level, float step, const float* search, const float* image,
                               float* p) noexcept;)
-EVIL_WIDE(void press_turn(const fluid::PressView& level, float keep, float* search) noexcept;) // search = z + keep * search
+EVIL_WIDE(void press_turn(const fluid::PressView& level, float keep,
+                          float* search) noexcept;) // search = z + keep * search
 
 } // namespace evil

@@ -117,7 +117,7 @@ void find_riders(const World& world, Water& water, float dt) {
             rider.per_mass = per_push * b.inv_mass, rider.per_inertia = per_push * b.inv_inertia;
             rider.velocity += dt * (b.gravity_scale * world.gravity + b.inv_mass * b.force);
             rider.spin += dt * b.inv_inertia * b.torque;
-            if (const Afloat* last = remembered(water, rider.body, b)) {
+            if (const Afloat* last = remembered(water, rider.body, b); last) {
                 rider.velocity += held(b.velocity - last->velocity, last->gained);
                 rider.spin += held(b.spin - last->spin, last->gained_spin);
             }

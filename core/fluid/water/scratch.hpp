@@ -44,7 +44,7 @@ struct WaterScratch {
     std::vector<std::uint8_t> marked; // by tile, with a row more at either end
     std::vector<Tile> occupied, active, wet_tiles;
     std::vector<std::uint8_t> any_wet; // of the active tiles
-    std::vector<std::uint32_t> first; // of each cell's particles in the swarm
+    std::vector<std::uint32_t> first;  // of each cell's particles in the swarm
 
     Pairs gathered_u, gathered_v, gathered;
     Field u, v;             // m/s on faces

@@ -7,11 +7,11 @@ namespace {
 
 void step(World& world, Water& water, float dt) {
     update_banks(world, water);
-    take_in(world, water);           // sorted, out of bodies
-    gather_flow(world, water, dt);   // particles to faces
-    find_liquid(world, water);       // cells and their surface
-    press_flow(world, water, dt);    // nothing gathers; bodies are pushed
-    scatter_flow(world, water, dt);  // faces to particles, which move
+    take_in(world, water);          // sorted, out of bodies
+    gather_flow(world, water, dt);  // particles to faces
+    find_liquid(world, water);      // cells and their surface
+    press_flow(world, water, dt);   // nothing gathers; bodies are pushed
+    scatter_flow(world, water, dt); // faces to particles, which move
     give_out(world, water, dt);
 }
 

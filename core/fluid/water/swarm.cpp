@@ -138,7 +138,8 @@ void take_in(const World& world, Water& water) {
     for (std::size_t k = 0; k < water.count; ++k) {
         const std::size_t to = s.first[static_cast<std::size_t>(swarm.cell[k])]++;
         swarm.x[to] = swarm.place[k].x, swarm.y[to] = swarm.place[k].y;
-        swarm.u[to] = clamped(p.velocities[2 * k], kMostSwim), swarm.v[to] = clamped(p.velocities[2 * k + 1], kMostSwim);
+        swarm.u[to] = clamped(p.velocities[2 * k], kMostSwim),
+        swarm.v[to] = clamped(p.velocities[2 * k + 1], kMostSwim);
         for (std::size_t d = 0; d < 4; ++d) swarm.affine[d][to] = clamped(g.h * p.affine[4 * k + d], kMostSwim);
         const std::size_t liquid = std::min<std::size_t>(p.liquid[k], last_liquid);
         swarm.liquid[to] = static_cast<std::uint8_t>(liquid);
@@ -163,8 +164,10 @@ void give_out(const World& world, Water& water, float dt) {
         place = {within(place.x, kSkin, limits.right), within(place.y, kSkin, limits.top)};
         if (is_near(water, place.x, place.y)) keep_out(world, water, place, velocity, dt);
         p.positions[2 * to] = g.low.x + g.h * place.x, p.positions[2 * to + 1] = g.low.y + g.h * place.y;
-        p.velocities[2 * to] = clamped(velocity.x, kMostSwim), p.velocities[2 * to + 1] = clamped(velocity.y, kMostSwim);
-        for (std::size_t d = 0; d < 4; ++d) p.affine[4 * to + d] = clamped(per_cell * swarm.affine[d][k], kMostSwim / g.h);
+        p.velocities[2 * to] = clamped(velocity.x, kMostSwim),
+                         p.velocities[2 * to + 1] = clamped(velocity.y, kMostSwim);
+        for (std::size_t d = 0; d < 4; ++d)
+            p.affine[4 * to + d] = clamped(per_cell * swarm.affine[d][k], kMostSwim / g.h);
         p.liquid[to++] = swarm.liquid[k];
     }
     water.count = to;

@@ -94,7 +94,9 @@ std::size_t fill(World& world, Water& water, const Area& area, std::uint32_t liq
     for (int j = low; j <= top; ++j)
         for (int i = left; i <= right; ++i) {
             const Vec2 at = g.low + size * Vec2{static_cast<float>(i) + 0.5f, static_cast<float>(j) + 0.5f};
-            if (full[spot(i, j)] || !contains(area, at) || g.h * bank_at(water, (at.x - g.low.x) / g.h, (at.y - g.low.y) / g.h).distance < 0.25f * size) continue;
+            if (full[spot(i, j)] || !contains(area, at) ||
+                g.h * bank_at(water, (at.x - g.low.x) / g.h, (at.y - g.low.y) / g.h).distance < 0.25f * size)
+                continue;
             if (!make_room(water, water.count + 1)) return come;
             Particles& p = *water.particles;
             const std::size_t k = water.count++;

@@ -66,7 +66,7 @@ struct Water {
     std::shared_ptr<Particles> particles;
     std::size_t count = 0; // of particles
     std::vector<Liquid> liquids;
-    Field pressure; // of the last step, where the next begins to look; 0 where there is no liquid
+    Field pressure;             // of the last step, where the next begins to look; 0 where there is no liquid
     std::vector<Afloat> afloat; // by body slot
     std::uint64_t serial = 0, born = 0;
 
