@@ -324,3 +324,19 @@ def test_nothing_at_all_is_refused_by_an_error_of_ours() -> None:
     ):
         with pytest.raises(evil.ArgumentTypeError, match=argument):
             door()
+
+
+@pytest.mark.parametrize(
+    "what", ["post", "layers", "lights", "light", "emitter", "drawing", "text", "camera", "debug_view"]
+)
+def test_a_property_that_there_is_not_cannot_be_set(what: str) -> None:
+    game = evil.Game(headless=True, renderer="soft")
+    made = {
+        "light": lambda: game.add_light(at=(0, 0)),
+        "emitter": lambda: game.add_particles(rate=1),
+        "drawing": lambda: game.draw(evil.Circle(1)),
+        "text": lambda: game.text("x"),
+    }
+    owner = made[what]() if what in made else getattr(game, what)
+    with pytest.raises(AttributeError, match="colur"):
+        owner.colur = "red"

@@ -175,8 +175,9 @@ def test_what_is_nearer_stays_sharp() -> None:
 
 
 @pytest.mark.parametrize("size", [(1, 1), (2, 3), (17, 5), (33, 64)])
-def test_pictures_of_any_size_are_blurred(size: tuple[int, int]) -> None:
-    game = Game("Small", size=size, headless=True, renderer="soft")
+@pytest.mark.parametrize("renderer", ["soft", "gl"])  # gl where there is a driver, else soft once more
+def test_pictures_of_any_size_are_blurred(size: tuple[int, int], renderer: str) -> None:
+    game = Game("Small", size=size, headless=True, renderer=renderer)
     game.add_background("#808080")
     game.layers[0].blur = 20
     shown = np.array(game.capture().pixels)

@@ -192,6 +192,10 @@ def test_a_level_as_python_has_the_same_surfaces(tmp_path: Path) -> None:
         ("new circle 1 at 0 0 lit glow 100;", "64"),
         ("new circle 1 at 0 0 bumps 3;", "normalMap"),
         ("new light at 0 0 baked;", "static"),
+        ("new light towards 30 cone 20;", "say where it is, as in: at 0 3"),
+        ('new light at 0 0 towards 30 angle 20 texture "wall.png";', "towards and angle exclude each other"),
+        ("draw circle 1 at 0 0 frames 3;", "as in: frames 4 1"),
+        ('background "hills.png" tall;', "as in: tall 6"),
     ],
 )
 def test_mistakes_are_told_with_the_right_word(text: str, words: str) -> None:

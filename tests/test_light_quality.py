@@ -6,6 +6,7 @@ import pytest
 
 import evilengine as evil
 from evilengine.platform import HeadlessDevice
+from evilengine.scene import Lights
 from evilengine.values.frame import FrameTimes
 from evilengine.values.governor import LOOKS, PATIENCE, SLOW, Governor
 from evilengine.values.tick import STEP
@@ -88,7 +89,7 @@ def play(game: evil.Game, frames: int, light: float, rest: float) -> None:
 
 def test_a_game_in_a_window_takes_what_there_is_time_for(monkeypatch: pytest.MonkeyPatch) -> None:
     game = lit(Window())
-    monkeypatch.setattr(game.lights, "_measure", lambda: COSTS)
+    monkeypatch.setattr(Lights, "_measure", lambda lights: COSTS)
     assert (game.lights.quality, game.lights.present_quality) == ("auto", "medium")
     play(game, LOOKS, light=3.0, rest=1.0)
     assert game.lights.present_quality == "high"
@@ -99,7 +100,7 @@ def test_a_game_in_a_window_takes_what_there_is_time_for(monkeypatch: pytest.Mon
 
 def test_without_a_window_the_quality_is_always_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     game = lit()
-    monkeypatch.setattr(game.lights, "_measure", lambda: COSTS)
+    monkeypatch.setattr(Lights, "_measure", lambda lights: COSTS)
     play(game, 40, light=30.0, rest=30.0)
     assert game.lights.present_quality == "medium"
 
@@ -110,7 +111,7 @@ def test_a_replay_in_a_window_keeps_its_quality(monkeypatch: pytest.MonkeyPatch,
     game.step(60)
     recording.close()
     again = lit(Window())
-    monkeypatch.setattr(again.lights, "_measure", lambda: COSTS)
+    monkeypatch.setattr(Lights, "_measure", lambda lights: COSTS)
     again.replay(tmp_path / "game.evr")
     play(again, 40, light=30.0, rest=30.0)
     assert again.lights.present_quality == "medium"

@@ -181,6 +181,29 @@ def test_a_file_of_normals_that_changes_is_seen(tmp_path: Path) -> None:
     assert at(game, 0, 0)[0] > before
 
 
+def test_normals_and_glow_that_come_later_are_seen(tmp_path: Path) -> None:
+    plain(tmp_path / "rock.png", (255, 255, 255))
+    game = game_in(tmp_path)
+    rock = game.draw(evil.Rectangle(2, 2), texture="rock.png", lit=True)
+    game.add_light(direction=(-1, 0), intensity=0.3)
+    flat = at(game, 0, 0)
+    plain(tmp_path / "rock.normal.png", normal_colour(0.9, 0.0))
+    assert game.reload_images() == []
+    assert tuple(at(game, 0, 0)) != tuple(flat)
+    (tmp_path / "rock.glow.png").write_bytes(b"half saved")
+    (line,) = game.reload_images()
+    assert "rock.glow.png" in line
+    assert game.reload_images() == []
+    plain(tmp_path / "rock.glow.png", (0, 255, 0))
+    assert game.reload_images() == []
+    assert at(game, 0, 0)[1] == 255
+    (tmp_path / "rock.normal.png").unlink()
+    shown = at(game, 0, 0)
+    assert game.reload_images() == []
+    assert tuple(at(game, 0, 0)) == tuple(shown)
+    assert rock.normal_map is None
+
+
 # ---- what shines by itself ----------------------------------------------------------------------------------------
 
 

@@ -275,9 +275,10 @@ class Things:
     def reload_images(self) -> list[str]:
         """Show the images whose files have changed as they are now; `evil play` asks for it while it plays.
 
-        An image that cannot be read any more stays as it was, and a line in the list says why.
+        An image that cannot be read any more stays as it was, and a line in the list says why. Normals and what glows
+        are seen from when they lie beside a picture.
         """
-        return self._pictures.reload()
+        return self._pictures.reload() + self.scene.dress_anew()
 
     @property
     def debug(self) -> bool:

@@ -114,6 +114,8 @@ class Layer:
 class Layers:
     """The layers of a game that are seen in a way of their own, by number. Any number may be asked for."""
 
+    __slots__ = ("_by_number", "_distance", "perspective")
+
     def __init__(self) -> None:
         self._by_number: dict[int, Layer] = {}
         self._distance = DISTANCE

@@ -70,6 +70,11 @@ class Lights:
     ['lamp', 'sun']
     """
 
+    __slots__ = (
+        *("_ambient", "_asked", "_bounce", "_core", "_cost", "_depth", "_images", "_present", "_quality"),
+        *("_shadows", "_slide_names", "_slides", "_world"),
+    )
+
     def __init__(self, world: World, images: Loads | None = None) -> None:
         self._world = world
         self._images = images

@@ -197,6 +197,8 @@ class Emitter:
     texture = Setting(_image, None, "The name of an image to draw in place of round specks, or None.")
     layer = Setting(lambda value, owner: to_layer(value, owner), 0, "They lie over the drawings of this layer.")
 
+    __slots__ = ("_alive", "_body", "_core", "_scene", "_serial", "_values")
+
     def __init__(self, scene: Scene, serial: int, seed: int, body: Body | None, options: dict[str, Any]) -> None:
         owner = "Game.add_particles"
         refuse_unknown(owner, [*SETTINGS, "body"], options)

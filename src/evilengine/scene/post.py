@@ -29,6 +29,8 @@ class Post:
     False
     """
 
+    __slots__ = ("_values",)
+
     def __init__(self) -> None:
         self._values = dict(PLAIN)
 

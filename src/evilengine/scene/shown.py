@@ -7,7 +7,7 @@ from typing import TypeAlias
 
 from evilengine import _core
 from evilengine.scene.animated import Clip, clip_of, still
-from evilengine.values.errors import ArgumentError, ArgumentTypeError
+from evilengine.values.errors import ArgumentError, ArgumentTypeError, AssetError
 from evilengine.values.sheet import COURSES, Cell, Normals, Sheet
 from evilengine.values.tick import STEP
 from evilengine.world.world import World
@@ -28,7 +28,8 @@ class Shown:
         self._textures = textures
         self._surfaces = surfaces
         self._texture_names: dict[int, str | Normals] = {}
-        self._dressed: set[int] = set()  # the textures of which the core knows what goes with them
+        self._dressed: dict[int, tuple[str | Cell, tuple[int, int]]] = {}  # textures, and what the core knows of them
+        self._failed: dict[int, str] = {}  # textures of which something cannot be read, and why
         self._clips: list[Clip] = []  # as the core counts them
 
     def texture_id(self, name: object, owner: str, argument: str = "texture") -> int:
@@ -56,8 +57,30 @@ class Shown:
     def _dress(self, texture: int, what: str | Cell) -> None:
         """Tell the core what goes with a picture wherever it is shown."""
         if self._surfaces is not None and texture not in self._dressed:
-            self._core.set_surface_of(texture, *self._surfaces(what))
-            self._dressed.add(texture)
+            surface = self._surfaces(what)
+            self._core.set_surface_of(texture, *surface)
+            self._dressed[texture] = what, surface
+
+    def dress_anew(self) -> list[str]:
+        """See normals and what glows that have come to lie beside pictures since; lines that say why one cannot be
+        read, once for each reason."""
+        lines: list[str] = []
+        failed: dict[int, str] = {}
+        for texture, (what, known) in self._dressed.items():
+            assert self._surfaces is not None
+            try:
+                normals, glows = self._surfaces(what)
+            except AssetError as error:
+                failed[texture] = str(error)
+                if self._failed.get(texture) != failed[texture]:
+                    lines.append(f"{error}; it is left out")
+                continue
+            surface = normals or known[0], glows or known[1]  # one that is gone for a moment stays
+            if surface != known:
+                self._core.set_surface_of(texture, *surface)
+                self._dressed[texture] = what, surface
+        self._failed = failed
+        return lines
 
     def _clip_number(self, clip: Clip) -> int:
         """The number by which the core knows a clip, which is handed to it when it is new."""

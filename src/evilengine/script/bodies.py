@@ -54,6 +54,7 @@ class ThingBuilder(ShapeBuilder):
             elif kind.family == "character":
                 commands = self._character(statement, settings)
             elif kind.family == LIGHT:
+                self._light_conflicts(settings)
                 name = statement.name.name if statement.name else ""
                 commands = [values.AddLight(statement.place, name, tuple(self._options(settings)))]
             elif kind.family == PARTICLES:
@@ -176,6 +177,15 @@ class ThingBuilder(ShapeBuilder):
                 if word in settings:
                     message = f"{word} means nothing for a thing that stands still"
                     self.error("stands-still", message, settings[word][0].place, "add physicsOn")
+
+    def _light_conflicts(self, settings: Settings) -> None:
+        """A sun has neither a place nor a cone, and what says where a light shines to says how its picture is turned."""
+        if "towards" in settings and "cone" in settings and not {"at", "follows"} & settings.keys():
+            message = "a light that shines from far away has no cone"
+            self.error("both-said", message, settings["cone"][0].place, "say where it is, as in: at 0 3")
+        if "towards" in settings and "angle" in settings:
+            place = settings["angle"][0].place
+            self.error("both-said", "towards and angle exclude each other", place, "keep one of them")
 
     def _picture_conflicts(self, settings: Settings) -> None:
         """What is said about a picture needs one, and the number of its frames is known beforehand."""

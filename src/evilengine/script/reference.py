@@ -131,9 +131,8 @@ def _merged(*families: str) -> list[Property]:
 def _table(properties: Iterable[Property]) -> str:
     lines = ["| write | it means | allowed | `set` |", "|---|---|---|---|"]
     for each in properties:
-        write = f"`{example_of(each)}`" if each.example else f'`{each.word} "crate.png"`'
         allowed = str(each.range) if each.takes not in _WITHOUT_RANGE else ""
-        lines.append(f"| {write} | {each.doc} | {allowed} | {'yes' if each.settable else ''} |")
+        lines.append(f"| `{example_of(each)}` | {each.doc} | {allowed} | {'yes' if each.settable else ''} |")
     return "\n".join(lines) + "\n"
 
 

@@ -329,8 +329,13 @@ def _near_any(word: str) -> str | None:
 
 
 def example_of(entry: Property) -> str:
-    """A property with its value, out of the table's example."""
-    return _extract(entry.example.splitlines()[-1], entry.word) if entry.example else f"{entry.word} ..."
+    """A property with its value, out of the table's example; of what needs a picture there is none."""
+    if entry.example:
+        return _extract(entry.example.splitlines()[-1], entry.word)
+    return _PICTURED.get(entry.word, f'{entry.word} "crate.png"' if entry.takes == "picture" else entry.word)
+
+
+_PICTURED = {"frames": "frames 4 1", "fps": "fps 10", "tile": "tile 0.5", "tall": "tall 6"}
 
 
 def _extract(example: str, word: str) -> str:

@@ -26,8 +26,10 @@ class Filters:
         self._table = b""
 
     def blur(self, picture: Target, spare: Target, levels: int, share: float) -> Target:
-        """The picture out of focus, on `spare`."""
+        """The picture out of focus, on `spare`; one that is too small to be halved stays as it is."""
         steps = self._descend(picture, levels)
+        if steps == 0:
+            return picture
         return self._ascend(picture, spare, steps, [share if at == levels else 1.0 for at in range(1, steps + 1)])
 
     def shafts(

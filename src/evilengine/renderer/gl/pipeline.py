@@ -247,7 +247,8 @@ class Pipeline:
             done = self._filters.shafts(target, self._spare, *what)
         else:
             done = self._filters.finish(target, self._spare, self._batcher.post, self._batcher.tones)
-        self.target, self._spare = done, target
+        if done is not target:
+            self.target, self._spare = done, target
         return done
 
     def _draw_specks(self, target: Target, first: int, count: int, disc: bool, adds: bool) -> None:
