@@ -143,27 +143,22 @@ Planes planes_at(float* first, std::size_t plane, bool directed) {
     return planes;
 }
 
-// Three planes of lamps with shadows, on and in bodies, are added to the rest.
-void add_shaded(Scratch& scratch, const Grid& grid, int reach, float* const open[3], const float* const shaded[3],
+// What lamps with shadows give, on and in bodies, is added to the rest: light, and the ways that it comes from.
+void add_shaded(Scratch& scratch, const Grid& grid, int reach, const Planes& open, const Planes& shaded, bool directed,
                 Threads& threads) {
     const std::size_t count = static_cast<std::size_t>(grid.stride) * grid.height;
     const bool bodies = std::ranges::find(scratch.solid, std::uint8_t{1}) != scratch.solid.end();
-    if (!bodies) {
-        for (std::size_t c = 0; c < 3; ++c)
-            for (std::size_t i = 0; i < count; ++i) open[c][i] += shaded[c][i];
-        return;
-    }
-    scratch.soft.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const float air = scratch.solid[i] ? 0.0f : 1.0f;
-        scratch.soft[i] = {air * shaded[0][i], air * shaded[1][i], air * shaded[2][i], air};
-    }
-    soak(scratch.soft, scratch.solid, grid.stride, grid.height, reach, scratch.blurred, scratch.other, threads);
-    for (std::size_t i = 0; i < count; ++i) {
-        open[0][i] += scratch.soft[i].red;
-        open[1][i] += scratch.soft[i].green;
-        open[2][i] += scratch.soft[i].blue;
-    }
+    float* const* to[] = {open.light, open.across, open.down};
+    float* const* from[] = {shaded.light, shaded.across, shaded.down};
+    parallel_for(threads, directed ? 3 : 1, 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            if (bodies)
+                add_soaked(to[i], from[i], scratch.solid, grid.stride, grid.height, reach, scratch.soak[i]);
+            else
+                for (std::size_t c = 0; c < 3; ++c)
+                    for (std::size_t at = 0; at < count; ++at) to[i][c][at] += from[i][c][at];
+        }
+    });
 }
 
 void pack(LightMap& map, const Grid& grid, const Planes& planes, InstructionSet set) {
@@ -223,11 +218,7 @@ void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& 
                          shaded.light[0]},
                         {ambient, look.bounce, look.shade * grid.scale}, scratch.casters, world);
         const int reach = std::clamp(static_cast<int>(std::lround(look.depth * grid.scale)), 1, grid.width);
-        add_shaded(scratch, grid, reach, open.light, shaded.light, world.threads);
-        if (look.directed) {
-            add_shaded(scratch, grid, reach, open.across, shaded.across, world.threads);
-            add_shaded(scratch, grid, reach, open.down, shaded.down, world.threads);
-        }
+        add_shaded(scratch, grid, reach, open, shaded, look.directed, world.threads);
     }
     pack(map, grid, open, world.instruction_set);
 }

@@ -35,7 +35,7 @@ struct Scratch { // losing it changes nothing
     std::vector<std::uint32_t> words;    // of what stands still
     std::vector<float> planes; // red, green, blue: light of open lamps, then of shaded ones; where directed, ways too
     std::vector<std::uint8_t> solid;
-    std::vector<Soft> soft, blurred, other;
+    SoakScratch soak[3]; // of light, and of where it comes from
     Bounce bounce; // its colours are the caller's to find
 };
 

@@ -4,6 +4,8 @@
 namespace evil::light {
 namespace {
 
+constexpr int kAtOnce = 4; // rows whose windows move together, so that no sum waits for another
+
 void add(Soft& sum, const Soft& one, float sign) {
     sum.red += sign * one.red, sum.green += sign * one.green;
     sum.blue += sign * one.blue, sum.air += sign * one.air;
@@ -11,57 +13,97 @@ void add(Soft& sum, const Soft& one, float sign) {
 
 Soft scaled(const Soft& one, float by) { return {one.red * by, one.green * by, one.blue * by, one.air * by}; }
 
-// The mean over a window of `half` texels to either side, which moves along a row; beyond its ends, the end goes on.
-void blur_row(const Soft* from, Soft* to, int count, int half) {
-    Soft sum{};
-    for (int i = -half; i <= half; ++i) add(sum, from[std::clamp(i, 0, count - 1)], 1.0f);
-    const float share = 1.0f / static_cast<float>(2 * half + 1);
-    for (int i = 0; i < count; ++i) {
-        to[i] = scaled(sum, share);
-        add(sum, from[std::min(i + half + 1, count - 1)], 1.0f);
-        add(sum, from[std::max(i - half, 0)], -1.0f);
-    }
-}
+float share_of(int half) { return 1.0f / static_cast<float>(2 * half + 1); }
 
-// The same down columns first..last, a row at a time.
-void blur_columns(const Soft* from, Soft* to, int width, int height, int half, int first, int last, Soft* sums) {
-    const auto row = [&](int y) { return static_cast<std::size_t>(std::clamp(y, 0, height - 1)) * width; };
-    const float share = 1.0f / static_cast<float>(2 * half + 1);
-    std::fill(sums + first, sums + last, Soft{});
-    for (int y = -half; y <= half; ++y)
-        for (int x = first; x < last; ++x) add(sums[x], from[row(y) + x], 1.0f);
-    for (int y = 0; y < height; ++y) {
-        Soft* out = to + row(y);
-        const Soft *enters = from + row(y + half + 1), *leaves = from + row(y - half);
-        for (int x = first; x < last; ++x) {
-            out[x] = scaled(sums[x], share);
-            add(sums[x], enters[x], 1.0f);
-            add(sums[x], leaves[x], -1.0f);
+// The means over windows of `half` texels to either side, which move along rows; beyond their ends, the end goes on.
+void blur_rows(const Soft* from, Soft* to, int width, int half) {
+    Soft sums[kAtOnce]{};
+    for (int r = 0; r < kAtOnce; ++r)
+        for (int i = -half; i <= half; ++i) add(sums[r], from[r * width + std::clamp(i, 0, width - 1)], 1.0f);
+    const float share = share_of(half);
+    for (int i = 0; i < width; ++i) {
+        const int enters = std::min(i + half + 1, width - 1), leaves = std::max(i - half, 0);
+        for (int r = 0; r < kAtOnce; ++r) {
+            const Soft* row = from + r * width;
+            to[r * width + i] = scaled(sums[r], share);
+            add(sums[r], row[enters], 1.0f);
+            add(sums[r], row[leaves], -1.0f);
         }
     }
 }
 
+// Means over squares: a row at a time, from the top. `put(y, row)` gives the rows that they are taken of, each once.
+template <class Put> class Means {
+public:
+    Means(Spread& spread, int width, int height, int half, Put put)
+        : spread_(spread), width_(width), height_(height), half_(half), put_(put),
+          kept_((2 * half + 2 + 2 * kAtOnce - 1) / kAtOnce * kAtOnce) {
+        const auto columns = static_cast<std::size_t>(width);
+        spread.rows.resize(kept_ * columns);
+        spread.fresh.resize(kAtOnce * columns);
+        spread.sums.assign(columns, Soft{});
+    }
+    void next(Soft* out) {
+        Soft* sums = spread_.sums.data();
+        for (int y = -half_; y_ == 0 && y <= half_; ++y) {
+            const Soft* row = row_of(y);
+            for (int x = 0; x < width_; ++x) add(sums[x], row[x], 1.0f);
+        }
+        const Soft *enters = row_of(y_ + half_ + 1), *leaves = row_of(y_ - half_);
+        const float share = share_of(half_);
+        for (int x = 0; x < width_; ++x) {
+            out[x] = scaled(sums[x], share);
+            add(sums[x], enters[x], 1.0f);
+            add(sums[x], leaves[x], -1.0f);
+        }
+        ++y_;
+    }
+
+private:
+    Soft* place_of(int y) { return spread_.rows.data() + static_cast<std::size_t>(y % kept_) * width_; }
+    const Soft* row_of(int y) { // its means; beyond the ends, the end goes on
+        y = std::clamp(y, 0, height_ - 1);
+        for (; made_ <= y; made_ += kAtOnce) {
+            for (int r = 0; r < std::min(kAtOnce, height_ - made_); ++r)
+                put_(made_ + r, spread_.fresh.data() + static_cast<std::size_t>(r) * width_);
+            blur_rows(spread_.fresh.data(), place_of(made_), width_, half_);
+        }
+        return place_of(y);
+    }
+
+    Spread& spread_;
+    int width_, height_, half_;
+    Put put_;
+    int kept_;
+    int made_ = 0; // rows that were put
+    int y_ = 0;    // the next one
+};
+
 } // namespace
 
-void soak(std::span<Soft> texels, std::span<const std::uint8_t> solid, int width, int height, int reach,
-          std::vector<Soft>& blurred, std::vector<Soft>& other, Threads& threads) {
+void add_soaked(float* const to[3], const float* const from[3], std::span<const std::uint8_t> solid, int width,
+                int height, int reach, SoakScratch& scratch) {
     const int half = std::max(1, (reach + 1) / 2); // two passes reach twice as far, and fade as a parabola does
-    const auto rows = static_cast<std::size_t>(height), columns = static_cast<std::size_t>(width);
-    blurred.resize(texels.size() + columns); // and a row for sums
-    other.resize(texels.size());
-    const Soft* from = texels.data();
-    for (int pass = 0; pass < 2; ++pass) {
-        parallel_for(threads, rows, 16, [&](std::size_t first, std::size_t last) {
-            for (std::size_t y = first; y < last; ++y) blur_row(from + y * columns, &other[y * columns], width, half);
-        });
-        parallel_for(threads, columns, 64, [&](std::size_t first, std::size_t last) {
-            blur_columns(other.data(), blurred.data(), width, height, half, static_cast<int>(first),
-                         static_cast<int>(last), blurred.data() + texels.size());
-        });
-        from = blurred.data();
+    Means once(scratch.first, width, height, half, [&](int y, Soft* row) {
+        const auto at = static_cast<std::size_t>(y) * width;
+        for (int x = 0; x < width; ++x) {
+            const float air = solid[at + x] ? 0.0f : 1.0f;
+            row[x] = {air * from[0][at + x], air * from[1][at + x], air * from[2][at + x], air};
+        }
+    });
+    Means twice(scratch.second, width, height, half, [&](int, Soft* row) { once.next(row); });
+    scratch.row.resize(static_cast<std::size_t>(width));
+    for (int y = 0; y < height; ++y) {
+        twice.next(scratch.row.data());
+        const auto at = static_cast<std::size_t>(y) * width;
+        for (int x = 0; x < width; ++x) {
+            Soft light{from[0][at + x], from[1][at + x], from[2][at + x], 1.0f};
+            if (solid[at + x]) light = scaled(scratch.row[x], 1.0f / std::max(scratch.row[x].air, 0.5f));
+            to[0][at + x] += light.red;
+            to[1][at + x] += light.green;
+            to[2][at + x] += light.blue;
+        }
     }
-    for (std::size_t i = 0; i < texels.size(); ++i)
-        if (solid[i]) texels[i] = scaled(blurred[i], 1.0f / std::max(blurred[i].air, 0.5f));
 }
 
 } // namespace evil::light
