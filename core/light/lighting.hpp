@@ -36,7 +36,7 @@ struct Scratch { // losing it changes nothing
     std::vector<float> planes; // red, green, blue: light of open lamps, then of shaded ones; where directed, ways too
     std::vector<std::uint8_t> solid;
     SoakScratch soak[3]; // of light, and of where it comes from
-    Bounce bounce; // its colours are the caller's to find
+    Bounce bounce;       // its colours are the caller's to find
 };
 
 // Lights whose body is gone are removed.

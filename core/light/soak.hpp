@@ -17,7 +17,7 @@ struct Soft { // a texel's light and how much of it is air
     float red, green, blue, air;
 };
 
-struct Spread { // scratch of one mean
+struct Spread {              // scratch of one mean
     std::vector<Soft> rows;  // means along them, until all of their column's window are there
     std::vector<Soft> fresh; // rows of which the mean is taken next
     std::vector<Soft> sums;  // of the windows of one row

@@ -25,22 +25,24 @@ constexpr auto kDither = [] {
     return rows;
 }();
 
-LightRows::Place place_of(int pixel, float first, float step, int count) {
+struct Place { // a texel, the next one, and how far on the way to that, in 256ths
+    int texel, next, weight;
+};
+
+Place place_of(int pixel, float first, float step, int count) {
     const float at = std::clamp((static_cast<float>(pixel) + 0.5f - first) / step, 0.0f, static_cast<float>(count - 1));
     const int texel = std::min(static_cast<int>(at), std::max(count - 2, 0));
-    return {texel, std::min(texel + 1, count - 1), static_cast<Factors>((at - static_cast<float>(texel)) * 256.0f)};
+    return {texel, std::min(texel + 1, count - 1), static_cast<int>((at - static_cast<float>(texel)) * 256.0f)};
 }
 
-Factors mix(Factors a, Factors b, Factors weight) {
-    return (a * (256 - weight) + b * weight) >> 8 & light::kAllFactors;
-}
-
-std::uint32_t to_ten_bits(Factors f) {
-    const auto channel = [f](int place) {
-        return static_cast<std::uint32_t>(f >> place * light::kFactorApart & light::kFactorMask) >>
-               (light::kFactorBits - 10);
-    };
-    return channel(2) | channel(1) << 10 | channel(0) << 20;
+// Texels between two rows of the map, channel by channel.
+void mix(const LightRows& rows, const Factors* above, const Factors* below, int weight, std::int32_t* const to[3]) {
+    const auto share = static_cast<Factors>(weight);
+    for (int x = 0; x < rows.map->width; ++x) {
+        const Factors sum = above[x] * (256 - share) + below[x] * share;
+        for (int c = 0; c < 3; ++c)
+            to[c][x] = static_cast<std::int32_t>(sum >> ((2 - c) * light::kFactorApart + 8) & light::kFactorMask);
+    }
 }
 
 } // namespace
@@ -50,9 +52,12 @@ void begin(LightRows& rows, const light::LightMap& map, const Target& target) {
     if (!map.on) return;
     rows.width = target.width;
     rows.stride = target.width + 8; // read in eights
-    rows.between.resize(map.width);
-    rows.columns.resize(target.width);
-    for (int x = 0; x < target.width; ++x) rows.columns[x] = place_of(x, map.first.x, map.step, map.width);
+    for (std::vector<std::int32_t>& channel : rows.between) channel.resize(static_cast<std::size_t>(map.width) + 8);
+    rows.texel.resize(rows.stride), rows.next.resize(rows.stride), rows.weight.resize(rows.stride);
+    for (int x = 0; x < rows.stride; ++x) {
+        const Place place = place_of(x, map.first.x, map.step, map.width);
+        rows.texel[x] = place.texel, rows.next[x] = place.next, rows.weight[x] = place.weight;
+    }
     const auto use = [&](LightRows::Plane& plane, const std::vector<Factors>& texels) {
         plane.texels = &texels;
         plane.factors.resize(static_cast<std::size_t>(rows.stride) * target.height);
@@ -62,20 +67,18 @@ void begin(LightRows& rows, const light::LightMap& map, const Target& target) {
     if (map.directed) use(rows.across, map.across), use(rows.down, map.down);
 }
 
-const std::uint32_t* row_of(LightRows& rows, LightRows::Plane& plane, int y) {
+const std::uint32_t* row_of(LightRows& rows, LightRows::Plane& plane, int y, Set set) {
     std::uint32_t* row = plane.factors.data() + static_cast<std::size_t>(rows.stride) * y;
     if (plane.ready[y]) return row;
     plane.ready[y] = true;
     const light::LightMap& map = *rows.map;
-    const LightRows::Place down = place_of(y, map.first.y, map.step, map.height);
-    const Factors* above = plane.texels->data() + static_cast<std::size_t>(down.texel) * map.width;
-    const Factors* below = plane.texels->data() + static_cast<std::size_t>(down.next) * map.width;
-    for (int x = 0; x < map.width; ++x) rows.between[x] = mix(above[x], below[x], down.weight);
-    const Factors* between = rows.between.data();
-    for (int x = 0; x < rows.width; ++x) {
-        const LightRows::Place& across = rows.columns[x];
-        row[x] = to_ten_bits(mix(between[across.texel], between[across.next], across.weight));
-    }
+    const Place down = place_of(y, map.first.y, map.step, map.height);
+    const Factors* texels = plane.texels->data();
+    std::int32_t* const between[3] = {rows.between[0].data(), rows.between[1].data(), rows.between[2].data()};
+    mix(rows, texels + static_cast<std::size_t>(down.texel) * map.width,
+        texels + static_cast<std::size_t>(down.next) * map.width, down.weight, between);
+    const bool near = map.step >= 2.0f; // three and a half texels at most, and the next one
+    spread_light(set, row, rows.width, between, {rows.texel.data(), rows.next.data(), rows.weight.data(), near});
     return row;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // The light map at the picture's own resolution, a row at a time, when something lit is first drawn there.
 #include "light/light_map.hpp"
+#include "raster/spans.hpp"
 #include "raster/target.hpp"
 #include <vector>
 
@@ -14,17 +15,13 @@ struct LightRows { // scratch of one frame
     };
     const light::LightMap* map = nullptr;
     int width = 0, stride = 0;
-    Plane light, across, down;           // as light_up() and bend() take them
-    std::vector<light::Factors> between; // one row of the map
-    struct Place {                       // a texel, the next one, and how far on the way to that, in 256ths
-        int texel, next;
-        light::Factors weight;
-    };
-    std::vector<Place> columns; // where each column of the picture lies in it
+    Plane light, across, down;                     // as light_up() and bend() take them
+    std::vector<std::int32_t> between[3];          // red, green and blue of one row of the map
+    std::vector<std::int32_t> texel, next, weight; // where in that row each column of the picture lies
 };
 
 void begin(LightRows& rows, const light::LightMap& map, const Target& target);
-const std::uint32_t* row_of(LightRows& rows, LightRows::Plane& plane, int y); // of `rows`
+const std::uint32_t* row_of(LightRows& rows, LightRows::Plane& plane, int y, Set set); // of `rows`
 
 // Sixteen numbers for light_up(), of a run that begins at pixel x, y.
 const std::int32_t* dither_at(int x, int y);

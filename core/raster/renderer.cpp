@@ -74,9 +74,9 @@ struct Brush {
             std::copy_n(unlit, right - left, scratch.glow.begin());
     }
     const std::uint32_t* factors(int left) {
-        const std::uint32_t* flat = row_of(*light, light->light, y) + left;
+        const std::uint32_t* flat = row_of(*light, light->light, y, set) + left;
         if (!paint.bumpy || !light->map->directed) return flat;
-        const Light all{flat, row_of(*light, light->across, y) + left, row_of(*light, light->down, y) + left};
+        const Light all{flat, row_of(*light, light->across, y, set) + left, row_of(*light, light->down, y, set) + left};
         bend_light(paint, set, y, left, right, all, scratch.bent.data());
         return scratch.bent.data();
     }

@@ -56,6 +56,11 @@ void light_up(Set set, Pixel* row, const std::uint32_t* factors, int count, cons
     EVIL_PICK(set, light_up_wide)(row, factors, count, dither);
 }
 
+void spread_light(Set set, std::uint32_t* to, int count, const std::int32_t* const channels[3],
+                  const Columns& columns) noexcept {
+    EVIL_PICK(set, spread_light_wide)(to, count, channels, columns);
+}
+
 void bend(Set set, std::uint32_t* to, const std::uint32_t* factors, const Ways& ways, const Pixel* normals, int count,
           const Turn& turn) noexcept {
     EVIL_PICK(set, bend_wide)(to, factors, ways, normals, count, turn);

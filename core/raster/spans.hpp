@@ -49,6 +49,16 @@ void modulate_flat(Set set, Pixel* row, int count, Pixel by) noexcept;
 // so that faint light has no steps. Writes in eights, and reads as many factors.
 void light_up(Set set, Pixel* row, const std::uint32_t* factors, int count, const std::int32_t* dither) noexcept;
 
+// Such factors of a row of pixels, from three channels of `light::kFactorBits` bits for each texel of a row of the light map:
+// between two of those, `weight` 256ths on the way from one to the next. Writes in eights; each channel can be read for eight
+// texels more than it has.
+struct Columns { // of the pixels
+    const std::int32_t *texel, *next, *weight;
+    bool near; // eight pixels in a row lie between eight texels
+};
+void spread_light(Set set, std::uint32_t* to, int count, const std::int32_t* const channels[3],
+                  const Columns& columns) noexcept;
+
 // What becomes of such factors by normals (light/light_map.hpp), r, g, b for x, y, z with 128 for zero: x goes along
 // (xx, xy) in the picture and y along (yx, yy). Ways are 10 bits a channel, 256 for nowhere. Writes and reads in eights.
 struct Turn {

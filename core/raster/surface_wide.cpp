@@ -12,6 +12,21 @@ EVIL_INLINE Floats part_of_normal(Ints pixels, int shift) {
     return (channel(pixels, shift) - 128.0f) * (1.0f / 127.0f);
 }
 
+// The lanes of a table that eight indices of 0..7 name.
+EVIL_INLINE Ints pick(Ints table, Ints index) {
+#if EVIL_WIDTH == 8
+    Ints r;
+    r.part[0] = __builtin_bit_cast(native::I, _mm256_permutevar8x32_epi32(__builtin_bit_cast(__m256i, table.part[0]),
+                                                                          __builtin_bit_cast(__m256i, index.part[0])));
+    return r;
+#else
+    std::int32_t lanes[kLanes], at[kLanes];
+    store(lanes, table), store(at, index);
+    for (std::int32_t& lane : at) lane = lanes[lane];
+    return load(at);
+#endif
+}
+
 } // namespace
 
 // As colour is light to the power of 1 / 2.2, a share of the light is about its square root of the factor.
@@ -29,6 +44,28 @@ void bend_wide(std::uint32_t* to, const std::uint32_t* factors, const raster::Wa
             Floats share = sqrt(max(z + (x * right + y * low), 0.0f));
             Ints bent = round_to_int(to_float(shift_right_unsigned(factor, shift) & 1023) * share);
             result = result | (min(bent, Ints(1023)) << shift);
+        }
+        store(to + i, result);
+    }
+}
+
+void spread_light_wide(std::uint32_t* to, int count, const std::int32_t* const channels[3],
+                       const raster::Columns& columns) noexcept {
+    constexpr int kToTenBits = 8 + light::kFactorBits - 10;
+    for (int i = 0; i < count; i += 8) {
+        const std::int32_t first = columns.texel[i];
+        Ints texel = load(columns.texel + i), next = load(columns.next + i), weight = load(columns.weight + i);
+        Ints result(0);
+        for (int c = 0; c < 3; ++c) {
+            Ints a, b;
+            if (columns.near) {
+                const Ints eight = load(channels[c] + first);
+                a = pick(eight, texel - first), b = pick(eight, next - first);
+            } else {
+                const auto* all = reinterpret_cast<const std::uint32_t*>(channels[c]);
+                a = gather(all, texel), b = gather(all, next);
+            }
+            result = result | (((a << 8) + (b - a) * weight) >> kToTenBits) << (10 * c);
         }
         store(to + i, result);
     }
