@@ -19,8 +19,9 @@ Numbers = dict[str, Any]
 SIZES = (128, 256, 512)
 SIDE = 4.0  # metres of the box
 FAST, HIGH, STAM = "evil fast", "evil high", "Stam in C"
-WARM = 60
-STEPS = 40
+RISEN = 60
+"""Steps until the plume is among the posts."""
+WARM, STEPS = 10, 40
 BYTES_A_CELL = 2 * (16 + 2 * 4 + 4)
 """What a step reads and writes at the least: density, heat, fuel and room, two velocities and the pressure."""
 COPIED = 1 << 26  # bytes: far more than caches hold
@@ -49,6 +50,9 @@ class Ours:
         for k in range(8):
             world.add(Circle(0.03 * SIDE), at=((0.15 + 0.1 * k) * SIDE, (0.55 + 0.05 * (k % 3)) * SIDE), kind="static")
         self._ball = world.add(Circle(0.08 * SIDE), at=(0.5 * SIDE, 0.4 * SIDE), kind="kinematic")
+        for _ in range(RISEN):
+            self.prepare()
+            self.step()
 
     def prepare(self) -> None:
         self._ball.velocity = (0.2 * SIDE * math.cos(2 * STEP * self.world.steps), 0)
