@@ -244,6 +244,7 @@ NOT_FOR_PEOPLE = {
         "Visit",
         "Image",
         "Smoke",
+        "Water",
         "Source",
     ),  # the engine makes these
     "Game.sprite",  # looks for its image first
@@ -261,7 +262,7 @@ NOT_FOR_PEOPLE = {
 }
 FIRST = {
     "Game.add": evil.Circle(1), "Game.draw": evil.Circle(1), "DrawnBody.add_shape": evil.Circle(1),
-    "Game.text": "hello", "Game.add_smoke": (0, 0, 1, 1),
+    "Game.text": "hello", "Game.add_smoke": (0, 0, 1, 1), "Game.add_water": (0, 0, 1, 1),
 }  # fmt: skip
 """What must be there before any keyword is looked at."""
 

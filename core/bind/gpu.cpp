@@ -2,6 +2,7 @@
 #include "bind/bytes.hpp"
 #include "draw/draw_list.hpp"
 #include "gpu/batches.hpp"
+#include "gpu/liquid.hpp"
 #include "raster/pyramid.hpp"
 #include "raster/shafts.hpp"
 #include "raster/texture.hpp"
@@ -49,6 +50,15 @@ nb::tuple to_tuple(const draw::Interlude& interlude, const draw::Interludes& all
         const raster::Glow glow = raster::glow_of(shafts);
         return nb::make_tuple("shafts", nb::make_tuple(shafts.from.x, shafts.from.y), nb::tuple(passes),
                               nb::make_tuple(glow.red, glow.green, glow.blue), shafts.threshold);
+    }
+    case draw::InterludeKind::liquid: {
+        const draw::LiquidMap& map = all.liquids[interlude.first];
+        nb::list planes;
+        for (const std::vector<std::uint16_t>& plane : gpu::pack_liquid(map))
+            planes.append(nb::bytes(plane.data(), plane.size() * sizeof(std::uint16_t)));
+        return nb::make_tuple("liquid", nb::make_tuple(map.stride, map.height), nb::tuple(planes),
+                              nb::make_tuple(map.first.x, map.first.y, 1.0f / map.step),
+                              nb::make_tuple(map.width, map.height), 1.0f / map.rim_width, map.lit);
     }
     case draw::InterludeKind::post:
         return nb::make_tuple("post");
@@ -181,7 +191,8 @@ void register_gpu(nb::module_& module) {
              "twice the number of their draw::Blend plus 8 if any has normals or glows. "
              "Or ('sprites', first, count, page of the atlas, COVER, is one lit, blend). "
              "Between them ('specks', first, count, are they discs, do they add), ('blur', levels, share), "
-             "('shafts', from, taps of each pass, colour, threshold), ('post',).")
+             "('shafts', from, taps of each pass, colour, threshold), ('liquid', size, planes, place, texels used, one "
+             "over the rim's width, is it lit), ('post',).")
         .def_prop_ro(
             "post", [](const Batcher& b) { return settings_of(b.post()); },
             nb::sig("def post(self) -> dict[str, float]"), "What the post pass of the frame is told.")

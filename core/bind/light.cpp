@@ -69,6 +69,7 @@ bool collect(LightsBox& box, const SceneBox& scene, World& world, const Matrix6&
     bool needed = draw::has_lit_specks(list), directed = false;
     for (const draw::Instance& one : list.instances)
         needed |= one.lit, directed |= one.lit && one.normals != draw::kNoTexture;
+    for (std::uint32_t i = 0; i < list.interludes.liquid_count; ++i) needed |= list.interludes.liquids[i].lit;
     light::remove_orphans(box.lights, world.bodies.slots);
     light::Look look;
     look.ambient = ambient;

@@ -26,6 +26,7 @@ NB_MODULE(_core, module) {
     evil::bind::register_scene(module);
     evil::bind::register_particles(module);
     evil::bind::register_light(module);
+    evil::bind::register_liquid(module);
     evil::bind::register_mixer(module);
     evil::bind::register_collider(module);
     evil::bind::register_smoke(module);

@@ -25,6 +25,7 @@ void register_gpu(nb::module_& module);
 void register_scene(nb::module_& module);
 void register_particles(nb::module_& module);
 void register_light(nb::module_& module);
+void register_liquid(nb::module_& module);
 void register_mixer(nb::module_& module);
 void register_collider(nb::module_& module);
 void register_water(nb::module_& module);

@@ -37,6 +37,22 @@ void add_shafts(DrawList& list, std::int32_t layer, const Shafts& shafts) {
     list.interludes.rows.push_back(row);
 }
 
+LiquidMap& add_liquid(DrawList& list, std::int32_t layer) {
+    draw::Interludes& all = list.interludes;
+    Interlude row;
+    row.before = end_of_layer(list, layer);
+    row.kind = InterludeKind::liquid;
+    row.first = all.liquid_count++;
+    all.rows.push_back(row);
+    if (all.liquids.size() < all.liquid_count) all.liquids.emplace_back();
+    return all.liquids[row.first];
+}
+
+void drop_liquid(DrawList& list) {
+    list.interludes.rows.pop_back();
+    --list.interludes.liquid_count;
+}
+
 void add_blur(DrawList& list, std::int32_t layer, float radius) {
     Interlude blur;
     blur.before = end_of_layer(list, layer);

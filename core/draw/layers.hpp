@@ -59,6 +59,10 @@ void add_fog(DrawList& list, std::int32_t layer, Rgba8 top, Rgba8 bottom, Vec2 s
 // Shafts of light over all of a layer and what lies behind it.
 void add_shafts(DrawList& list, std::int32_t layer, const Shafts& shafts);
 
+// A map to fill for a liquid that lies over a layer; drop_liquid takes the last one back.
+LiquidMap& add_liquid(DrawList& list, std::int32_t layer);
+void drop_liquid(DrawList& list);
+
 // All of a layer and what lies behind it goes out of focus; `radius` in pixels.
 void add_blur(DrawList& list, std::int32_t layer, float radius);
 

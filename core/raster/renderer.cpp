@@ -148,8 +148,9 @@ void draw_instance(const draw::DrawList& list, const draw::Instance& instance, c
     }
 }
 
-void do_interlude(const draw::Interludes& all, const draw::Interlude& one, const Target& target, Scratch& scratch,
+void do_interlude(const draw::DrawList& list, const draw::Interlude& one, const Target& target, Scratch& scratch,
                   Set set) {
+    const draw::Interludes& all = list.interludes;
     switch (one.kind) {
     case draw::InterludeKind::specks:
         return draw_specks(all.specks, one, target, set);
@@ -157,6 +158,9 @@ void do_interlude(const draw::Interludes& all, const draw::Interlude& one, const
         return blur(target, one.radius, scratch.pyramid, set);
     case draw::InterludeKind::shafts:
         return shine(target, all.shafts[one.first], scratch.pyramid, set);
+    case draw::InterludeKind::liquid:
+        return draw_liquid(all.liquids[one.first], target, list.light.on ? &scratch.light : nullptr, scratch.liquid,
+                           set);
     case draw::InterludeKind::post:
         return finish(target, all.post, scratch.pyramid, set);
     }
@@ -179,7 +183,7 @@ void render(const draw::DrawList& list, std::optional<draw::Rgba8> background, s
     auto interlude = list.interludes.rows.begin();
     const auto do_interludes = [&](std::size_t before) {
         for (; interlude != list.interludes.rows.end() && interlude->before <= before; ++interlude)
-            do_interlude(list.interludes, *interlude, target, scratch, set);
+            do_interlude(list, *interlude, target, scratch, set);
     };
     for (std::size_t i = 0; i < list.instances.size(); ++i) {
         do_interludes(i);

@@ -4,6 +4,7 @@
 // Source over destination in sRGB, as pictures are usually mixed; light is linear (light/light_map.hpp).
 #include "draw/draw_list.hpp"
 #include "raster/coverage.hpp"
+#include "raster/liquid.hpp"
 #include "raster/lit.hpp"
 #include "raster/outline.hpp"
 #include "raster/paint.hpp"
@@ -25,6 +26,7 @@ struct Scratch { // losing it changes nothing
     std::vector<Pixel> row, glow;    // colours of one row, and what shines by itself
     std::vector<std::uint32_t> bent; // light on it, as its normals take it up
     Pyramid pyramid;
+    LiquidScratch liquid;
 };
 
 // Fills the target with `background` (straight colour), if there is one, and draws the instances in their order. Textures are found by id;

@@ -1775,7 +1775,7 @@ class Batcher:
 
     def collect(self, list: DrawList, width: int, height: int) -> list[tuple[Any, ...]]:
         """
-        A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus twice the number of their draw::Blend plus 8 if any has normals or glows. Or ('sprites', first, count, page of the atlas, COVER, is one lit, blend). Between them ('specks', first, count, are they discs, do they add), ('blur', levels, share), ('shafts', from, taps of each pass, colour, threshold), ('post',).
+        A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus twice the number of their draw::Blend plus 8 if any has normals or glows. Or ('sprites', first, count, page of the atlas, COVER, is one lit, blend). Between them ('specks', first, count, are they discs, do they add), ('blur', levels, share), ('shafts', from, taps of each pass, colour, threshold), ('liquid', size, planes, place, texels used, one over the rim's width, is it lit), ('post',).
         """
 
     @property
@@ -2177,6 +2177,77 @@ def light_map(list: DrawList) -> tuple[int, int, float, float, float, list[bytes
     """
     Width, height, pixels a texel, where in the picture the first one's middle lies, and planes of texels, r, g, b, 1 as floats of 16 bits: the light, and where something has normals its ways across and down; None where nothing is lit.
     """
+
+class Foam:
+    """Spray, foam and bubbles of one water."""
+
+    def __init__(self, seed: int) -> None: ...
+
+    @property
+    def count(self) -> int:
+        """How many flecks there are."""
+
+    def step(self, world: World, slot: int, amount: float, dt: float) -> None:
+        """One step, after the world's: `amount` times as much as by itself."""
+
+    def collect(self, scene: Scene, view: tuple[float, float, float, float, float, float], back: float, width: int, height: int, spacing: float, points: float, lit: bool, tint: int, layer: int) -> None:
+        """Put them into the frame that the scene collected."""
+
+    def snapshot(self) -> bytes: ...
+
+    def restore(self, bytes: bytes) -> None: ...
+
+LIQUID_TABLE: int = 64
+
+MOST_LIQUIDS: int = 16
+
+def liquid_colours(world: World, slot: int) -> list[list[float]]:
+    """Red, green and blue of each liquid of a water."""
+
+class LiquidLook:
+    """How one liquid is shown."""
+
+    def __init__(self) -> None: ...
+
+    def set_tables(self, tables: Sequence[Sequence[Sequence[float]]]) -> None:
+        """
+        Of each liquid LIQUID_TABLE rows from the surface to the deep: the shares of red, green and blue that come through, and those that it adds.
+        """
+
+    @property
+    def clarity(self) -> float: ...
+
+    @clarity.setter
+    def clarity(self, arg: float, /) -> None: ...
+
+    @property
+    def refraction(self) -> float: ...
+
+    @refraction.setter
+    def refraction(self, arg: float, /) -> None: ...
+
+    @property
+    def rim(self) -> float: ...
+
+    @rim.setter
+    def rim(self, arg: float, /) -> None: ...
+
+    @property
+    def waves(self) -> float: ...
+
+    @waves.setter
+    def waves(self, arg: float, /) -> None: ...
+
+    @property
+    def lit(self) -> bool: ...
+
+    @lit.setter
+    def lit(self, arg: bool, /) -> None: ...
+
+    def collect(self, scene: Scene, world: World, slot: int, view: tuple[float, float, float, float, float, float], alpha: float, back: float, time: float, width: int, height: int, points: float, layer: int) -> bool:
+        """
+        Put the liquid into the frame that the scene collected; whether any of it is to be seen.
+        """
 
 class Sample:
     """A sound in memory: 32-bit floats, one or two channels, any rate."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import random
+from collections.abc import Callable
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any, cast
 
@@ -27,6 +28,7 @@ from evilengine.scene.drawing import DEEPEST_LAYER
 from evilengine.scene.gases import LOOKS as SMOKE_LOOKS
 from evilengine.scene.particles import add_particles
 from evilengine.scene.sliced import sliced
+from evilengine.scene.waters import LOOKS as WATER_LOOKS
 from evilengine.values.checks import did_you_mean, known_keywords, number, refuse_unknown
 from evilengine.values.colour import Colour, ColourLike
 from evilengine.values.errors import ArgumentError, ArgumentTypeError, AssetError
@@ -35,6 +37,7 @@ from evilengine.values.vec2 import Point, to_vec2
 from evilengine.world.character import Character
 from evilengine.world.shapes import MAX_SIZE, Rectangle
 from evilengine.world.smoke import Smoke
+from evilengine.world.water import Water
 from evilengine.world.world import World
 
 if TYPE_CHECKING:
@@ -156,9 +159,7 @@ class Things:
         >>> smoke = game.add_smoke((-2, 0, 2, 4), cells=32, ramp=["#0000", "#445a", "#dde"])
         >>> flame = smoke.add_source(at=(0, 0.5), radius=0.3, fuel=3, temperature=1)
         """
-        looks = {word: options.pop(word) for word in SMOKE_LOOKS if word in options}
-        known = [word for word in inspect.signature(World.add_smoke).parameters if word not in ("self", "area")]
-        refuse_unknown("Game.add_smoke", [*known, *SMOKE_LOOKS], options)
+        looks = _looks(options, SMOKE_LOOKS, World.add_smoke, "Game.add_smoke")
         smoke = self.world.add_smoke(area, **options)
         try:
             self.scene.gases.add(smoke, looks)
@@ -166,6 +167,29 @@ class Things:
             smoke.destroy()
             raise
         return smoke
+
+    def add_water(self, area: Any, **options: Any) -> Water:
+        """Add water that is seen: everything that `world.add_water` takes, and looks.
+
+        `ramp` is a list of its colours from its surface to the deep, each as solid as its alpha says; unless said, it
+        is made of the water's `colour`, and so are those of other liquids in it. `clarity` is how many metres below the
+        surface a third of the light is left. `refraction` is how much what lies behind is displaced, `waves` how much
+        that wavers, `rim` how bright the line of its surface is (0 to 1), `foam` how much foam and spray it throws up;
+        0 is none of it. Lights fall on it where it is `lit`; it lies over the drawings of `layer`.
+
+        >>> game = evil.Game(headless=True)
+        >>> pool = game.add_water((-4, 0, 4, 3), particle_size=0.1, colour="teal", clarity=3)
+        >>> pool.fill((-4, 0, 4, 1.5)) > 0
+        True
+        """
+        looks = _looks(options, WATER_LOOKS, World.add_water, "Game.add_water")
+        water = self.world.add_water(area, **options)
+        try:
+            self.scene.waters.add(water, looks)
+        except BaseException:
+            water.destroy()
+            raise
+        return water
 
     def add_light(self, **options: Any) -> Light:
         """Let a light shine on what is `lit`, with soft shadows: everything that `game.lights.add` takes.
@@ -298,3 +322,11 @@ class Things:
         >>> game.debug = game.debug_view.velocities = True
         """
         return self.scene.debug_view
+
+
+def _looks(options: dict[str, Any], looks: dict[str, Any], adds: Callable[..., object], owner: str) -> dict[str, Any]:
+    """Take what is said of looks out of the options; the rest must be what `adds` knows."""
+    said = {word: options.pop(word) for word in looks if word in options}
+    known = [word for word in inspect.signature(adds).parameters if word not in ("self", "area")]
+    refuse_unknown(owner, [*known, *looks], options)
+    return said

@@ -46,6 +46,7 @@ def state_of(scene: Scene) -> tuple[bytes, dict[str, Any]]:
         "post": scene.post.state(),
         "lights": lights_state(scene.lights),
         "gases": scene.gases.state(),
+        "waters": scene.waters.state(),
     }
     return drawings, rest
 
@@ -63,6 +64,7 @@ class SceneState:
         """(slot, slot of the body, slot of the shape) of each drawing, in the order of creation."""
         self._by_slot = {slot: (body, shape) for slot, body, shape in self.places}
         self._gases = scene.gases.read(rest.get("gases", []))
+        self._waters = scene.waters.read(rest.get("waters", []))
         self._textures = [self._gases.texture(row) or _texture(scene, row) for row in rest["textures"]]
         if len(self._textures) != self._drawings.textures:
             raise ValueError("an image for each texture")
@@ -114,6 +116,7 @@ class SceneState:
         scene.post.become(self._post)
         self._lights.put()
         self._gases.put()
+        scene.waters.put(self._waters)
         self._put_drawings()
         self._put_texts()
 

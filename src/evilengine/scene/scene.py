@@ -22,6 +22,7 @@ from evilengine.scene.shown import Shown, Surfaces, Textures
 from evilengine.scene.sliced import Sliced, tile_size
 from evilengine.scene.surface import to_glow
 from evilengine.scene.text import Fonts, Text
+from evilengine.scene.waters import WaterLook, WaterLooks
 from evilengine.values.checks import known_keywords, number, one_of
 from evilengine.values.colour import BACKGROUND, PALETTE, STONE, WHITE, Colour, ColourLike, to_colour
 from evilengine.values.drawlist import DrawList
@@ -94,6 +95,8 @@ class Scene(Shown):
         self._from_palette = 0  # how many drawings took a colour of the palette
         self.gases = Gases(self, renderer)
         """How the world's smokes are seen."""
+        self.waters = WaterLooks(self)
+        """How the world's waters are seen."""
         self.lights = Lights(world, images)
         """What shines on drawings that are lit: lamps, spots, suns, and the ambient light."""
         self.background = background
@@ -252,7 +255,8 @@ class Scene(Shown):
         return tuple(self._emitters)
 
     def step(self) -> None:
-        """What moves by itself moves on by one step of the world, after that: particles."""
+        """What moves by itself moves on by one step of the world, after that: particles, foam."""
+        self.waters.step()
         for emitter in tuple(self._emitters):
             emitter._step()
 
@@ -270,6 +274,7 @@ class Scene(Shown):
                 text.destroy()
         for emitter in tuple(self._emitters):
             emitter.destroy()
+        self.waters.clear()
         self.backgrounds = 0
         self.layers.clear()
         self.post.clear()
@@ -348,13 +353,18 @@ class Scene(Shown):
         self, view: Matrix6, eye: Vec2, zoom: float, alpha: float, screen: tuple[int, int], scale: float
     ) -> None:
         """Particles and fog, layer after layer: what lies over a layer's drawings, and what lies over that."""
-        over: list[tuple[int, bool, Emitter | Layer]] = [(each.layer, False, each) for each in self._emitters]
+        over: list[tuple[int, bool, WaterLook | Emitter | Layer]] = [
+            (water.layer, False, water) for water in self.waters.alive()
+        ]
+        over += [(each.layer, False, each) for each in self._emitters]
         over += [(each.number, True, each) for each in self.layers]
         for which, _, each in sorted(over, key=lambda row: row[:2]):
             seen = self.layers.view(which, view, eye, zoom)
             if isinstance(each, Layer):
                 self.layers.cover(self._core, each, seen, screen, scale)
-            elif seen is not None:
+            elif isinstance(each, WaterLook) and seen is not None:
+                each._collect(self, seen, alpha, screen, scale)
+            elif isinstance(each, Emitter) and seen is not None:
                 each._collect(seen, alpha, screen)
 
     def _take_restored(self, body: DrawnBody) -> list[Drawing]:

@@ -13,6 +13,7 @@ from evilengine.renderer.gl.atlas import Atlas, Copy
 from evilengine.renderer.gl.device import Attribute, Blend, Buffer, GraphicsDevice, Layout, Program, Target, Texture
 from evilengine.renderer.gl.filters import Filters
 from evilengine.renderer.gl.light import LightTextures
+from evilengine.renderer.gl.liquid import Liquids
 from evilengine.renderer.gl.programs import Programs
 from evilengine.values.drawlist import DrawList, Inset
 from evilengine.values.image import Image
@@ -109,6 +110,7 @@ class Pipeline:
         self._filters = Filters(device, self.programs)
         self._shapes = _Shapes(device)
         self._light = LightTextures(device)
+        self._liquids = Liquids(device, self.programs)
         for pictures in MIXES[:2]:  # compiled now, so that no frame waits for it, and errors come at the start
             self._program(pictures, 0, 0)
         for cover in COVERS:
@@ -163,7 +165,7 @@ class Pipeline:
             if batch[0] == "sprites":
                 self._draw_sprites(target, light, *batch[1:])
             elif isinstance(batch[0], str):
-                target = self._interlude(target, *batch)
+                target = self._interlude(target, light, *batch)
             else:
                 self._draw_quads(target, light, *batch)
         self.draw_calls = len(batches) + sum(pipeline.draw_calls + 1 for pipeline in insets)
@@ -231,7 +233,7 @@ class Pipeline:
         uniforms = {"target_size": size, "light_place": self._light.place}
         self.device.draw(target, program, instances=instances, textures=textures, uniforms=uniforms, blend=blend)
 
-    def _interlude(self, target: Target, kind: str, *what: Any) -> Target:
+    def _interlude(self, target: Target, light: Named, kind: str, *what: Any) -> Target:
         """What comes between the quads of a frame; on which target it goes on."""
         if kind == "specks":
             self._draw_specks(target, *what)
@@ -245,6 +247,8 @@ class Pipeline:
             done = self._filters.blur(target, self._spare, *what)
         elif kind == "shafts":
             done = self._filters.shafts(target, self._spare, *what)
+        elif kind == "liquid":
+            done = self._liquids.draw(target, self._spare, light[:1], self._light.place, *what)
         else:
             done = self._filters.finish(target, self._spare, self._batcher.post, self._batcher.tones)
         if done is not target:
@@ -298,6 +302,7 @@ class Pipeline:
             if thing is not None:
                 thing.release()
         self._filters.release()
+        self._liquids.release()
         self._light.release()
         if not self._is_part:
             self._atlas.release()

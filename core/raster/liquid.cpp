@@ -1,0 +1,88 @@
+#include "raster/liquid.hpp"
+#include "raster/liquid_wide.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace evil::raster {
+namespace {
+
+using draw::LiquidMap;
+
+struct Cubic { // uniform B-spline
+    float part[4];
+};
+Cubic cubic(float t) {
+    const float u = 1.0f - t, tt = t * t, ttt = tt * t;
+    return {u * u * u / 6.0f, (3.0f * ttt - 6.0f * tt + 4.0f) / 6.0f, (3.0f * (t + tt - ttt) + 1.0f) / 6.0f,
+            ttt / 6.0f};
+}
+
+struct Place { // between two texels
+    int first;
+    float part;
+};
+Place place_of(int pixel, float first, float step) {
+    const float at = (static_cast<float>(pixel) + 0.5f - first) / step, low = std::floor(at);
+    return {static_cast<int>(low), at - low};
+}
+
+struct Span { // of pixels between a map's second texel and its last but one, where cubics have all that they need
+    int from, to;
+};
+Span span_of(float first, float step, int texels, int pixels) {
+    const float low = first + step - 0.5f, high = first + step * static_cast<float>(texels - 2) - 0.5f;
+    return {static_cast<int>(std::ceil(std::clamp(low, 0.0f, static_cast<float>(pixels)))),
+            static_cast<int>(std::ceil(std::clamp(high, 0.0f, static_cast<float>(pixels))))};
+}
+
+void find_columns(const LiquidMap& map, Span span, LiquidScratch& scratch) {
+    const std::size_t count = static_cast<std::size_t>(span.to - span.from), room = count + 8;
+    scratch.column.assign(room, 1);
+    scratch.part.assign(room, 0.0f);
+    scratch.cubic.assign(4 * room, 0.0f);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Place place = place_of(span.from + static_cast<int>(i), map.first.x, map.step);
+        const Cubic weights = cubic(place.part);
+        scratch.column[i] = place.first, scratch.part[i] = place.part;
+        for (std::size_t k = 0; k < 4; ++k) scratch.cubic[k * room + i] = weights.part[k];
+    }
+}
+
+void mix_rows(const LiquidMap& map, const Place& place, std::size_t stride, float* texels, Set set) {
+    const Cubic weights = cubic(place.part);
+    const Cubic linear{{0.0f, 1.0f - place.part, place.part, 0.0f}};
+    for (std::size_t plane = 0; plane < draw::kLiquidPlanes; ++plane) {
+        const float* first = map.planes[plane].data() + static_cast<std::size_t>(place.first - 1) * stride;
+        EVIL_PICK(set, mix_texels_wide)
+        (first, stride, (plane == draw::kDepth ? weights : linear).part, texels + plane * stride, map.width);
+    }
+}
+
+} // namespace
+
+void draw_liquid(const LiquidMap& map, const Target& target, LightRows* light, LiquidScratch& scratch, Set set) {
+    const Span across = span_of(map.first.x, map.step, map.width, target.width);
+    const Span down = span_of(map.first.y, map.step, map.height, target.height);
+    if (across.from >= across.to || down.from >= down.to) return;
+    const std::size_t stride = static_cast<std::size_t>(map.stride);
+    const std::size_t width = static_cast<std::size_t>(target.width);
+    find_columns(map, across, scratch);
+    scratch.texels.resize(stride * draw::kLiquidPlanes);
+    scratch.behind.resize(width * static_cast<std::size_t>(target.height));
+    for (int y = 0; y < target.height; ++y) std::copy_n(row_of(target, y), width, &scratch.behind[width * y]);
+
+    const std::size_t room = scratch.column.size();
+    LiquidRow row{};
+    for (std::size_t k = 0; k < draw::kLiquidPlanes; ++k) row.planes[k] = scratch.texels.data() + k * stride;
+    for (std::size_t k = 0; k < 4; ++k) row.cubic[k] = scratch.cubic.data() + k * room;
+    row.column = scratch.column.data(), row.part = scratch.part.data();
+    row.behind = scratch.behind.data(), row.width = target.width, row.height = target.height;
+    row.rim = 1.0f / map.rim_width;
+    for (row.y = down.from; row.y < down.to; ++row.y) {
+        mix_rows(map, place_of(row.y, map.first.y, map.step), stride, scratch.texels.data(), set);
+        row.light = light && map.lit ? row_of(*light, light->light, row.y, set) + across.from : nullptr;
+        EVIL_PICK(set, liquid_row_wide)(row_of(target, row.y) + across.from, across.from, across.to - across.from, row);
+    }
+}
+
+} // namespace evil::raster

@@ -1,0 +1,15 @@
+#pragma once
+#include "math/cpu.hpp"
+#include "raster/liquid.hpp"
+
+namespace evil {
+
+// clang-format off
+EVIL_WIDE(
+// A mean of four rows of texels. Works in eights.
+void mix_texels_wide(const float* first, std::size_t stride, const float part[4], float* to, int count) noexcept;
+// A run of pixels that begins at column x.
+void liquid_row_wide(raster::Pixel* to, int x, int count, const raster::LiquidRow& row) noexcept;)
+// clang-format on
+
+} // namespace evil
