@@ -85,4 +85,22 @@ void correct_cells(const Plan& plan, const float* cells, const float* carried, c
     }
 }
 
+void settle_cells(const Plan& plan, const fluid::Fate& fate, const float* cells, float* result, float* seconds,
+                  int first, int last) noexcept {
+    const float gives[4] = {fate.soot, fate.heat, 0.0f, 0.0f}, bounds[4] = {3e38f, fate.most, 3e38f, 3e38f};
+    const Floats one = load_four_twice(fate.first), other = load_four_twice(fate.then), given = load_four_twice(gives),
+                 most = load_four_twice(bounds);
+    for (int j = first; j < last; ++j) {
+        const std::ptrdiff_t row = 4 * static_cast<std::ptrdiff_t>(j) * plan.nx;
+        for (int i = 0; i < 4 * plan.nx; i += kLanes) {
+            const int count = lanes_of(i, 4 * plan.nx);
+            const Floats now = load_first(cells + row + i, count);
+            const Floats burnt = spread_in_four<2>(now) * Floats(fate.burns);
+            store_first(result + row + i, count, clamp(now * one * other + given * burnt, -most, most));
+        }
+        if (seconds == nullptr) continue;
+        for (int i = 0; i < plan.nx; ++i) seconds[j * plan.stride + i] = result[row + 4 * i + 1];
+    }
+}
+
 } // namespace evil::EVIL_ISA

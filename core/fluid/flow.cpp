@@ -1,5 +1,4 @@
 #include "fluid/flow.hpp"
-#include "fluid/carry_wide.hpp"
 #include "world.hpp"
 #include <algorithm>
 #include <cmath>
@@ -7,13 +6,7 @@
 namespace evil::fluid {
 namespace {
 
-constexpr std::size_t kRows = 16; // that a thread takes at a time
-constexpr int kCycles = 2;        // of multigrid: leave less than 1% of the divergence, with the last step's pressure
-
-template <class Work> void rows(const Step& step, int more, Work work) {
-    parallel_for(step.world.threads, static_cast<std::size_t>(step.smoke.grid.ny + more), kRows,
-                 [&](std::size_t first, std::size_t last) { work(static_cast<int>(first), static_cast<int>(last)); });
-}
+constexpr int kCycles = 2; // of multigrid: leave less than 1% of the divergence, with the last step's pressure
 
 void carry(const Step& step, Field& value, Field& result, bool across) {
     Scratch& s = step.scratch;
@@ -209,88 +202,6 @@ void take_over(const Step& step) {
                 smoke.v[g.at(i, j + 1)] += j + 1 < g.ny ? 0.5f * more_y : more_y;
             }
         }
-}
-
-namespace {
-
-void move_cells(const Step& step, float* cells, std::vector<float>& carried, std::vector<float>& result) {
-    Scratch& s = step.scratch;
-    const Plan plan = step.plan();
-    const InstructionSet set = step.world.instruction_set;
-    const float* open = s.solids.room().data();
-    rows(step, 0, [&](int first, int last) {
-        EVIL_PICK(set, carry_cells)(plan, cells, s.dx.data(), s.dy.data(), carried.data(), first, last);
-    });
-    rows(step, 0, [&](int first, int last) {
-        EVIL_PICK(set, correct_cells)
-        (plan, cells, carried.data(), s.dx.data(), s.dy.data(), open, result.data(), s.sums.data(), first, last);
-    });
-}
-
-// visit(cell, share) for the cells at open sides: which share of a cell flows out by the side within the step; negative, in.
-template <class Visit> void each_opening(const Step& step, Visit visit) {
-    const Smoke& smoke = step.smoke;
-    const Grid& g = smoke.grid;
-    const float cells = step.dt / g.h;
-    auto at = [&](int i, int j) { return static_cast<std::size_t>(j * g.nx + i); };
-    for (int j = 0; j < g.ny; ++j) {
-        if (smoke.open[kLeft]) visit(at(0, j), -cells * smoke.u[g.at(0, j)]);
-        if (smoke.open[kRight]) visit(at(g.nx - 1, j), cells * smoke.u[g.at(g.nx, j)]);
-    }
-    for (int i = 0; i < g.nx; ++i) {
-        if (smoke.open[kBottom]) visit(at(i, 0), -cells * smoke.v[g.at(i, 0)]);
-        if (smoke.open[kTop]) visit(at(i, g.ny - 1), cells * smoke.v[g.at(i, g.ny)]);
-    }
-}
-
-// Clear air comes in; the paths, which end at the edge, had brought the edge's own smoke. What that was, by density.
-double let_in(const Step& step, float* cells) {
-    double gone = 0.0;
-    each_opening(step, [&](std::size_t at, float share) {
-        if (!(share < 0.0f)) return;
-        const float left = std::max(1.0f + share, 0.0f);
-        gone += double((1.0f - left) * cells[4 * at]);
-        for (std::size_t k = 0; k < 3; ++k) cells[4 * at + k] *= left;
-    });
-    return gone;
-}
-
-// Advection that follows paths keeps no sums. What it gains or loses within a step, a small share, is taken from all alike.
-float correction(const Step& step, double lost, double gone) {
-    constexpr double kMost = 0.02; // of it; beyond, something was covered or torn that no factor mends
-    double before = -lost, after = -gone;
-    for (int j = 0; j < step.smoke.grid.ny; ++j) {
-        before += double(step.scratch.sums[static_cast<std::size_t>(2 * j)]);
-        after += double(step.scratch.sums[static_cast<std::size_t>(2 * j + 1)]);
-    }
-    return after > 0.0 ? static_cast<float>(std::clamp(before / after, 1.0 - kMost, 1.0 + kMost)) : 1.0f;
-}
-
-void scale(float* values, std::size_t cells, int lanes, float by) {
-    for (std::size_t i = 0; i < cells; ++i)
-        for (int k = 0; k < lanes; ++k) values[4 * i + static_cast<std::size_t>(k)] *= by;
-}
-
-} // namespace
-
-void carry_content(const Step& step) {
-    Scratch& s = step.scratch;
-    Views& views = *step.smoke.views;
-    const std::size_t cells = views.content.size();
-    double lost = 0.0; // what leaves, of which correction is not to make up for
-    each_opening(step, [&](std::size_t at, float share) {
-        lost += double(std::clamp(share, 0.0f, 1.0f) * views.content[at].density);
-    });
-    move_cells(step, &views.content[0].density, s.cells, s.other_cells);
-    const float by = correction(step, lost, let_in(step, s.other_cells.data()));
-    std::copy_n(s.other_cells.data(), 4 * cells, &views.content[0].density);
-    scale(&views.content[0].density, cells, 1, by);
-    if (views.colour.empty()) return;
-    s.colours.resize(4 * cells), s.other_colours.resize(4 * cells);
-    move_cells(step, views.colour.data(), s.colours, s.other_colours);
-    let_in(step, s.other_colours.data());
-    views.colour.swap(s.other_colours);
-    scale(views.colour.data(), cells, 3, by);
 }
 
 } // namespace evil::fluid

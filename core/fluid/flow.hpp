@@ -2,6 +2,7 @@
 // The parts of a smoke's step on the staggered grid, each on all rows, on all threads.
 #include "fluid/flow_wide.hpp"
 #include "fluid/scratch.hpp"
+#include "world.hpp"
 
 namespace evil::fluid {
 
@@ -15,12 +16,21 @@ struct Step { // what all parts of one share
     Plan plan() const { return {smoke.grid.nx, smoke.grid.ny, smoke.grid.stride}; }
 };
 
+inline constexpr std::size_t kRows = 16; // that a thread takes at a time
+
+// work(first, last) for all rows of the grid and so many more, in any order.
+template <class Work> void rows(const Step& step, int more, Work work) {
+    parallel_for(step.world.threads, static_cast<std::size_t>(step.smoke.grid.ny + more), kRows,
+                 [&](std::size_t first, std::size_t last) { work(static_cast<int>(first), static_cast<int>(last)); });
+}
+
 void find_way(const Step& step, float dt);       // the way that gas came within dt, from the velocity as it is
 void carry_flow(const Step& step);               // the velocity along that way
-void carry_content(const Step& step);            // all that gas carries, along it
+void carry_content(const Step& step);            // all that gas carries, along it, into the scratch
 void drive(const Step& step);                    // heat, wind, whirls
 void thicken_flow(const Step& step);             // by viscosity
-void spread_content(const Step& step);           // by diffusion
+void spread_content(const Step& step);           // there, by diffusion
+void settle_content(const Step& step);           // and back: fuel burns, heat and density are lost
 void project(const Step& step, Field& pressure); // until nothing gathers anywhere, with the bodies moving as they do
 void watch(const Step& step);                    // how good that was, if somebody asks
 void push_bodies(const Step& step);              // by pressure and drag

@@ -23,9 +23,9 @@ void weigh(Level& level, int i, int j) { // one cell, from its faces
     level.inverse[colour][at] = sum > 0.0f ? 1.0f / sum : 0.0f;
 }
 
-void find_plain(Level& level, int j) {
+void find_plain(Level& level, int j, int first, int last) { // tiles
     for (std::size_t colour = 0; colour < 2; ++colour)
-        for (int t = 0; t < level.tiles; ++t) {
+        for (int t = first; t < last; ++t) {
             bool plain = (t + 1) * kLane <= level.half;
             for (int k = t * kLane; plain && k < (t + 1) * kLane; ++k) {
                 const std::ptrdiff_t at = j * level.stride + k;
@@ -71,7 +71,7 @@ void weigh_patch(Level& level, const Patch& patch) {
     const int right = std::min(patch.right + 1, level.nx), high = std::min(patch.high + 1, level.ny);
     for (int j = low; j < high; ++j) {
         for (int i = left; i < right; ++i) weigh(level, i, j);
-        find_plain(level, j);
+        find_plain(level, j, left / (2 * kLane), (right + 2 * kLane - 1) / (2 * kLane));
     }
 }
 

@@ -28,7 +28,8 @@ struct Scratch {
     Field carried, low, high, u, v; // of a component that is being moved
     Field inflow, heat, curl;
     std::vector<float> cells, other_cells, colours, other_colours; // four floats a cell
-    std::vector<float> sums;                                       // of rows
+    float correction = 1.0f; // of the density in `other_cells`, which carrying it lost or gained
+    std::vector<float> sums; // of rows
     std::vector<PushSum> sums_of_bodies;
     StamScratch stam;
 };

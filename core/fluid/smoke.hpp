@@ -18,6 +18,7 @@ struct Colour {
 };
 
 inline constexpr float kMostDensity = 1e4f; // of a cell: a source in a sealed box may run for ever
+inline constexpr float kMostHeat = 1e3f;    // and fire may burn there
 
 // What may be changed while it runs.
 struct Gas {

@@ -7,6 +7,7 @@ namespace evil::fluid {
 namespace {
 
 constexpr float kFar = 1e30f;  // cells: no solid near
+constexpr int kTile = 16;      // cells of a tile of the pressure's
 constexpr float kThin = 0.75f; // cells: half of a wall that nothing seeps through, at any angle
 
 Patch joined(const Patch& a, const Patch& b) {
@@ -65,7 +66,9 @@ void Solids::look(const World& world, const Grid& g) {
         if (!(middle.x + reach > 0.0f && middle.y + reach > 0.0f && middle.x - reach < static_cast<float>(g.nx) &&
               middle.y - reach < static_cast<float>(g.ny)))
             continue;
-        Seen seen{slot, piece.body, static_cast<std::uint32_t>(corners_.size()), 0, per_metre * piece.radius, {}};
+        Seen seen;
+        seen.piece = slot, seen.body = piece.body, seen.kind = world.bodies.rows[piece.body].kind;
+        seen.first = static_cast<std::uint32_t>(corners_.size()), seen.radius = per_metre * piece.radius;
         if (piece.count == 0) corners_.push_back(middle);
         for (Vec2 corner : points_of(shapes, piece)) corners_.push_back(per_metre * (transform(pose, corner) - g.low));
         seen.count = static_cast<std::uint32_t>(corners_.size()) - seen.first;
@@ -87,7 +90,7 @@ void Solids::look(const World& world, const Grid& g) {
 
 bool Solids::same(std::size_t now, std::size_t before) const {
     const Seen &a = pieces_[now], &b = pieces_before_[before];
-    if (a.body != b.body || a.count != b.count || a.radius != b.radius) return false;
+    if (a.body != b.body || a.kind != b.kind || a.count != b.count || a.radius != b.radius) return false;
     return std::equal(&corners_[a.first], &corners_[a.first] + a.count, &corners_before_[b.first]);
 }
 
@@ -117,8 +120,10 @@ bool Solids::update(const World& world, const Grid& grid, Pressure& pressure, In
     for (const Patch& patch : redraw(world, grid, set))
         pressure.set_faces(grid, across_, up_,
                            {std::max(patch.left - 1, 0), std::max(patch.low - 1, 0), patch.right, patch.high});
-    if (!changed_.empty()) find_walls(world, grid, pressure);
-    return !changed_.empty();
+    if (changed_.empty()) return false;
+    find_gas(grid);
+    find_walls(world, grid, pressure);
+    return true;
 }
 
 void Solids::draw(const Grid& g, const Patch& patch, InstructionSet set) {
@@ -149,49 +154,70 @@ void Solids::draw(const Grid& g, const Patch& patch, InstructionSet set) {
     if (high == g.ny + 1 && !open_[3]) std::fill_n(up_.data() + g.at(left, g.ny), right - left, 0.0f);
 }
 
-// Where bodies that move cover faces, and where gas lies on dynamic ones.
+// Cells whose corners lie in a patch.
+Patch Solids::cells_of(const Grid& g, const Patch& patch) {
+    return {std::max(patch.left - 1, 0), std::max(patch.low - 1, 0), std::min(patch.right, g.nx),
+            std::min(patch.high, g.ny)};
+}
+
+// Which cells hold gas, where something has changed.
+void Solids::find_gas(const Grid& g) {
+    for (const Patch& patch : changed_) {
+        const Patch cells = cells_of(g, patch);
+        for (int j = cells.low; j < cells.high; ++j)
+            for (std::ptrdiff_t at = g.at(cells.left, j); at < g.at(cells.right, j); ++at) {
+                const std::ptrdiff_t above = at + g.stride;
+                gas_[at] = is_open(at, g.stride) ? 1.0f : 0.0f;
+                const float middle = distance_[at] + distance_[at + 1] + (distance_[above] + distance_[above + 1]);
+                room_[at] = middle > 0.0f ? gas_[at] : 0.0f;
+            }
+    }
+}
+
+// Where bodies that move cover faces, and where gas lies on dynamic ones: only near these, row by row.
 void Solids::find_walls(const World& world, const Grid& g, const Pressure& pressure) {
-    walls_across_.clear(), walls_up_.clear(), shores_.clear();
-    auto owner = [&](std::ptrdiff_t a, std::ptrdiff_t b) { // of the corner that is deeper in a body
-        const float mine = distance_[a] < distance_[b] ? owner_[a] : owner_[b];
-        return mine > 0.0f ? static_cast<std::uint32_t>(mine) - 1 : kNone;
-    };
-    auto moving = [&](std::uint32_t body) { return body != kNone && moves(world.bodies.rows[body]); };
-    auto look_at = [&](int i, int j) {
-        const std::ptrdiff_t at = g.at(i, j), above = g.at(i, j + 1);
-        const Vec2 corner = g.low + g.h * Vec2{static_cast<float>(i), static_cast<float>(j)};
-        if (across_[at] < 1.0f && i > 0) {
-            const std::uint32_t body = owner(at, above);
-            if (moving(body)) walls_across_.push_back({at, 1.0f - across_[at], corner + Vec2{0.0f, 0.5f * g.h}, body});
-        }
-        if (up_[at] < 1.0f && j > 0) {
-            const std::uint32_t body = owner(at, at + 1);
-            if (moving(body)) walls_up_.push_back({at, 1.0f - up_[at], corner + Vec2{0.5f * g.h, 0.0f}, body});
-        }
-        gas_[at] = is_open(at, g.stride) ? 1.0f : 0.0f;
-        const float middle = distance_[at] + distance_[at + 1] + (distance_[above] + distance_[above + 1]);
-        room_[at] = middle > 0.0f ? gas_[at] : 0.0f;
-        if (gas_[at] == 0.0f) return;
-        Vec2 area = g.h * Vec2{across_[at] - across_[at + 1], up_[at] - up_[above]};
-        if (i == 0 || i == g.nx - 1) area.x = 0.0f; // the box's own wall is no body's
-        if (j == 0 || j == g.ny - 1) area.y = 0.0f;
-        const std::uint32_t low = owner(at, at + 1), high = owner(above, above + 1);
-        const float near_low = std::min(distance_[at], distance_[at + 1]);
-        const std::uint32_t body = near_low < std::min(distance_[above], distance_[above + 1]) ? low : high;
-        if (body == kNone || area == Vec2{} || world.bodies.rows[body].kind != BodyKind::dynamic) return;
-        shores_.push_back({i, j, area, body});
-    };
     const Level& fine = pressure.finest();
+    const std::vector<Body>& bodies = world.bodies.rows;
+    near_.assign(static_cast<std::size_t>(fine.tiles * g.ny), 0);
+    for (const Seen& seen : pieces_) {
+        if (!moves(bodies[seen.body])) continue;
+        const Patch cells = cells_of(g, seen.patch);
+        if (cells.empty()) continue;
+        const int first = cells.left / kTile, count = (cells.right - 1) / kTile - first + 1;
+        for (int j = cells.low; j < cells.high; ++j) std::fill_n(near_.begin() + j * fine.tiles + first, count, 1);
+    }
+    walls_across_.clear(), walls_up_.clear(), shores_.clear();
     for (int j = 0; j < g.ny; ++j)
         for (int t = 0; t < fine.tiles; ++t) {
             const auto tile = static_cast<std::size_t>(j * fine.tiles + t);
-            const int first = 16 * t, last = std::min(first + 16, g.nx);
-            if (fine.plain[0][tile] && fine.plain[1][tile])
-                for (Field* all : {&gas_, &room_})
-                    std::fill(all->data() + g.at(first, j), all->data() + g.at(last, j), 1.0f);
-            else
-                for (int i = first; i < last; ++i) look_at(i, j);
+            if (near_[tile] == 0 || (fine.plain[0][tile] && fine.plain[1][tile])) continue;
+            for (int i = kTile * t; i < std::min(kTile * (t + 1), g.nx); ++i) look_at(bodies, g, i, j);
         }
+}
+
+// Of two corners of cells, the one that is deeper in a body: which is it?
+std::uint32_t Solids::owner(std::ptrdiff_t a, std::ptrdiff_t b) const {
+    const float deeper = distance_[a] < distance_[b] ? owner_[a] : owner_[b];
+    return deeper > 0.0f ? static_cast<std::uint32_t>(deeper) - 1 : kNone;
+}
+
+void Solids::look_at(const std::vector<Body>& bodies, const Grid& g, int i, int j) {
+    const std::ptrdiff_t at = g.at(i, j), above = g.at(i, j + 1);
+    const Vec2 corner = g.low + g.h * Vec2{static_cast<float>(i), static_cast<float>(j)};
+    auto add = [&](std::vector<Wall>& walls, float open, std::uint32_t body, Vec2 middle) {
+        if (body != kNone && moves(bodies[body])) walls.push_back({at, 1.0f - open, corner + middle, body});
+    };
+    if (across_[at] < 1.0f && i > 0) add(walls_across_, across_[at], owner(at, above), {0.0f, 0.5f * g.h});
+    if (up_[at] < 1.0f && j > 0) add(walls_up_, up_[at], owner(at, at + 1), {0.5f * g.h, 0.0f});
+    if (gas_[at] == 0.0f) return;
+    Vec2 area = g.h * Vec2{across_[at] - across_[at + 1], up_[at] - up_[above]};
+    if (i == 0 || i == g.nx - 1) area.x = 0.0f; // the box's own wall is no body's
+    if (j == 0 || j == g.ny - 1) area.y = 0.0f;
+    const std::uint32_t low = owner(at, at + 1), high = owner(above, above + 1);
+    const float near_low = std::min(distance_[at], distance_[at + 1]);
+    const std::uint32_t body = near_low < std::min(distance_[above], distance_[above + 1]) ? low : high;
+    if (body == kNone || area == Vec2{} || bodies[body].kind != BodyKind::dynamic) return;
+    shores_.push_back({i, j, area, body});
 }
 
 } // namespace evil::fluid

@@ -3,9 +3,9 @@
 // Bertails and Bridson 2007), how the bodies move there, and where they can be pushed. From the shapes' signed distances
 // at the corners of cells; only round what moved since the last step is anything made anew. Scratch: it follows from the
 // bodies alone.
+#include "bodies.hpp"
 #include "fluid/pressure.hpp"
 #include "fluid/solids_wide.hpp"
-#include "refs.hpp"
 #include <span>
 
 namespace evil {
@@ -53,6 +53,7 @@ public:
 private:
     struct Seen { // a piece as it was drawn
         std::uint32_t piece = kNone, body = kNone;
+        BodyKind kind{};
         std::uint32_t first = 0, count = 0; // of its corners, in the world
         float radius = 0.0f;
         Patch patch; // the corners of cells that it may be near
@@ -60,7 +61,11 @@ private:
     void look(const World& world, const Grid& grid);
     bool same(std::size_t now, std::size_t before) const;
     void draw(const Grid& grid, const Patch& patch, InstructionSet set);
-    void find_walls(const World& world, const Grid& grid, const Pressure& pressure); // and where there is gas
+    void find_gas(const Grid& grid);
+    void find_walls(const World& world, const Grid& grid, const Pressure& pressure);
+    void look_at(const std::vector<Body>& bodies, const Grid& grid, int i, int j);
+    std::uint32_t owner(std::ptrdiff_t a, std::ptrdiff_t b) const;
+    static Patch cells_of(const Grid& grid, const Patch& patch);
 
     std::array<bool, 4> open_{};
     Field distance_, owner_; // at corners of cells; owner: the body's slot + 1, or 0
@@ -68,6 +73,7 @@ private:
     std::vector<Seen> pieces_, pieces_before_;
     std::vector<Vec2> corners_, corners_before_;
     std::vector<Patch> changed_;
+    std::vector<std::uint8_t> near_; // by tile: is a body that moves near?
     std::vector<Wall> walls_across_, walls_up_;
     std::vector<Shore> shores_;
     Outline outline_;

@@ -1,4 +1,5 @@
 #include "fluid/sources.hpp"
+#include "fluid/scratch.hpp"
 #include "world.hpp"
 #include <algorithm>
 #include <cmath>
@@ -74,6 +75,7 @@ template <class Visit> void each_covered(const Grid& grid, const Place& place, V
 
 void pour(Smoke& smoke, const Source& s, const Place& place, float dt) {
     Views& views = *smoke.views;
+    Field& heat = smoke.scratch->heat; // which lifts; Stam's method has none
     const bool coloured = !views.colour.empty();
     each_covered(smoke.grid, place, [&](int i, int j, float share) {
         const auto at = static_cast<std::size_t>(j * smoke.grid.nx + i);
@@ -87,8 +89,10 @@ void pour(Smoke& smoke, const Source& s, const Place& place, float dt) {
         const float more = std::clamp(share * s.rate * dt, 0.0f, kMostDensity - cell.density);
         cell.density += more;
         cell.fuel = std::min(cell.fuel + share * s.fuel * dt, kMostDensity);
-        if (s.temperature != 0.0f)
+        if (s.temperature != 0.0f) {
             cell.temperature += share * std::min(kHeating * dt, 1.0f) * (s.temperature - cell.temperature);
+            if (!heat.empty()) heat[smoke.grid.at(i, j)] = cell.temperature;
+        }
         if (!coloured) return;
         views.colour[4 * at] += more * s.colour.r;
         views.colour[4 * at + 1] += more * s.colour.g;

@@ -1,6 +1,5 @@
 // Viscosity and diffusion: what gas evens out by itself. Both cost nothing while they are 0.
 #include "fluid/flow.hpp"
-#include "world.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -55,8 +54,8 @@ void solve(const Step& step, const Component& c, float a) {
     }
 }
 
-void give_to_neighbours(const Grid& g, const float* from, const Field& room, float a, float* to) {
-    for (int j = 0; j < g.ny; ++j)
+void give_to_neighbours(const Grid& g, const float* from, const Field& room, float a, int first, int last, float* to) {
+    for (int j = first; j < last; ++j)
         for (int i = 0; i < g.nx; ++i) {
             const std::ptrdiff_t at = g.at(i, j);
             if (room[at] == 0.0f) continue;
@@ -70,15 +69,17 @@ void give_to_neighbours(const Grid& g, const float* from, const Field& room, flo
         }
 }
 
-void spread(const Step& step, float* cells) {
+void spread(const Step& step, std::vector<float>& cells) {
     Scratch& s = step.scratch;
     const Grid& g = step.smoke.grid;
     const float whole = step.smoke.gas.diffusion * step.dt / (g.h * g.h);
     const int parts = std::clamp(static_cast<int>(std::ceil(std::min(whole, 1e6f) / kStable)), 1, kMostParts);
     const float a = std::min(whole / static_cast<float>(parts), kStable);
     for (int k = 0; k < parts; ++k) {
-        std::copy_n(cells, 4 * g.cells(), s.cells.data());
-        give_to_neighbours(g, s.cells.data(), s.solids.room(), a, cells);
+        std::ranges::copy(cells, s.cells.begin());
+        rows(step, 0, [&](int first, int last) {
+            give_to_neighbours(g, s.cells.data(), s.solids.room(), a, first, last, cells.data());
+        });
     }
 }
 
@@ -96,9 +97,8 @@ void thicken_flow(const Step& step) {
 
 void spread_content(const Step& step) {
     if (step.smoke.gas.diffusion == 0.0f) return;
-    Views& views = *step.smoke.views;
-    spread(step, &views.content[0].density);
-    if (!views.colour.empty()) spread(step, views.colour.data());
+    spread(step, step.scratch.other_cells);
+    if (!step.smoke.views->colour.empty()) spread(step, step.scratch.other_colours);
 }
 
 } // namespace evil::fluid

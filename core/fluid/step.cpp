@@ -9,27 +9,6 @@ namespace evil {
 namespace fluid {
 namespace {
 
-constexpr float kMostHeat = 1e3f; // of a cell: fire in a sealed box may burn for ever
-
-// What is left of something that loses a share of itself a second.
-float kept(float share_a_second, float dt) { return 1.0f / (1.0f + share_a_second * dt); }
-
-// Fuel burns to heat and soot; heat and density are lost.
-void react(Smoke& smoke, float dt) {
-    const Gas& gas = smoke.gas;
-    const float warm = kept(gas.cooling, dt), stays = kept(gas.fade, dt), unburnt = kept(gas.burning, dt);
-    Views& views = *smoke.views;
-    for (Cell& cell : views.content) {
-        const float burnt = cell.fuel * (1.0f - unburnt);
-        cell.fuel *= unburnt;
-        cell.density = cell.density * stays + gas.soot * burnt;
-        cell.temperature = std::clamp(cell.temperature * warm + gas.heat * burnt, -kMostHeat, kMostHeat);
-    }
-    if (stays < 1.0f)
-        for (std::size_t i = 0; i < views.colour.size(); ++i)
-            if (i % 4 < 3) views.colour[i] *= stays; // the fourth says where there is gas
-}
-
 // What was written from outside may be anything.
 void make_finite(Views& views) {
     for (Cell& cell : views.content) {
@@ -65,7 +44,7 @@ int used_lanes(const Views& views) {
 
 void step_by_stam(Smoke& smoke, std::uint32_t slot, World& world, float dt) {
     Views& views = *smoke.views;
-    react(smoke, dt);
+    settle_content({smoke, *smoke.scratch, world, dt});
     apply_sources(smoke, slot, world, dt);
     rise_by_stam(smoke, world.gravity, dt);
     std::span<float> content(&views.content[0].density, 4 * views.content.size());
@@ -88,13 +67,6 @@ void lay_out(Smoke& smoke) {
     s.sums.resize(2 * static_cast<std::size_t>(smoke.grid.ny));
     s.solids.lay_out(smoke.grid, smoke.open);
     s.pressure.lay_out(smoke.grid, smoke.open);
-}
-
-void note_heat(Smoke& smoke) {
-    const Grid& g = smoke.grid;
-    const Cell* cell = smoke.views->content.data();
-    for (int j = 0; j < g.ny; ++j)
-        for (int i = 0; i < g.nx; ++i, ++cell) smoke.scratch->heat[g.at(i, j)] = cell->temperature;
 }
 
 // Half a step, projected; what the projection took away is taken away once more, and the second half carries that on.
@@ -128,9 +100,8 @@ void step_staggered(Smoke& smoke, std::uint32_t slot, World& world, float dt) {
         carry_flow(step);
     }
     spread_content(step);
-    react(smoke, dt);
+    settle_content(step);
     apply_sources(smoke, slot, world, dt);
-    note_heat(smoke);
     drive(step);
     thicken_flow(step);
     project(step, smoke.pressure);
