@@ -32,24 +32,6 @@ Vec2 velocity_of(const World& world, const Wall& wall) {
     return clamped(velocity_at(world.bodies.rows[wall.body], wall.place), kMostFlow);
 }
 
-// In a box without an opening as much flows in as out, or no pressure can balance it: what bodies pump is spread evenly.
-void balance(const Step& step) {
-    const Smoke& smoke = step.smoke;
-    if (smoke.open != std::array<bool, 4>{}) return;
-    const Field& gas = step.scratch.solids.open();
-    Field& b = step.scratch.inflow;
-    double sum = 0.0, cells = 0.0;
-    for (int j = 0; j < smoke.grid.ny; ++j) {
-        float inflow = 0.0f, open = 0.0f;
-        for (std::ptrdiff_t at = smoke.grid.at(0, j), end = at + smoke.grid.nx; at < end; ++at)
-            inflow += gas[at] * b[at], open += gas[at];
-        sum += double(inflow), cells += double(open);
-    }
-    const float mean = cells > 0.0 ? static_cast<float>(sum / cells) : 0.0f;
-    for (int j = 0; j < smoke.grid.ny; ++j)
-        for (std::ptrdiff_t at = smoke.grid.at(0, j), end = at + smoke.grid.nx; at < end; ++at) b[at] -= mean;
-}
-
 void gather_inflow(const Step& step) {
     Scratch& s = step.scratch;
     const Smoke& smoke = step.smoke;
@@ -69,7 +51,8 @@ void gather_inflow(const Step& step) {
         s.inflow[wall.at] += flow;
         s.inflow[wall.at - plan.stride] -= flow;
     }
-    balance(step);
+    // what bodies pump into a sealed pocket is spread evenly, or no pressure could balance it
+    s.solids.pockets().level(smoke.grid, s.inflow, step.world.instruction_set, step.world.threads);
 }
 
 // Root mean square over the cells with gas, a second.
@@ -153,6 +136,7 @@ void project(const Step& step, Field& pressure) {
     const float *across = s.solids.across().data(), *up = s.solids.up().data();
     gather_inflow(step);
     s.pressure.solve(smoke.grid, s.inflow, pressure, kCycles, set, step.world.threads);
+    s.solids.pockets().level(smoke.grid, pressure, set, step.world.threads);
     rows(step, 1, [&](int first, int last) {
         EVIL_PICK(set, push_by_pressure)
         (plan, pressure.data(), across, up, smoke.u.data(), smoke.v.data(), first, last);

@@ -73,6 +73,17 @@ void find_inflow(const Plan& plan, const float* u, const float* v, const float* 
         }
 }
 
+float sum_of(const float* values, int count) noexcept {
+    Floats all(0.0f);
+    for (int i = 0; i < count; i += kLanes) all += load_first(values + i, lanes_of(i, count));
+    return sum(all);
+}
+
+void add_to_each(float* values, int count, float more) noexcept {
+    for (int i = 0; i < count; i += kLanes)
+        store_first(values + i, lanes_of(i, count), load_first(values + i, lanes_of(i, count)) + Floats(more));
+}
+
 void push_by_pressure(const Plan& plan, const float* p, const float* across, const float* up, float* u, float* v,
                       int first, int last) noexcept {
     auto push = [&](std::ptrdiff_t at, std::ptrdiff_t beside, const float* share, float* value, int count,

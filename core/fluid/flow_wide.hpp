@@ -39,6 +39,8 @@ EVIL_WIDE(void correct_faces(const fluid::Plan& plan, const fluid::Faces& faces,
 // b = what flows into each cell by its faces, as open as they are.
 EVIL_WIDE(void find_inflow(const fluid::Plan& plan, const float* u, const float* v, const float* across,
                            const float* up, float* b, int first, int last) noexcept;)
+EVIL_WIDE(float sum_of(const float* values, int count) noexcept;)
+EVIL_WIDE(void add_to_each(float* values, int count, float more) noexcept;)
 // The pressure's gradient off the velocity; what lies in solids stands still.
 EVIL_WIDE(void push_by_pressure(const fluid::Plan& plan, const float* p, const float* across, const float* up, float* u,
                                 float* v, int first, int last) noexcept;)

@@ -5,12 +5,13 @@ namespace evil::fluid {
 namespace {
 
 constexpr int kLane = 8;
-constexpr int kCoarsest = 4;        // cells each way that sweeps alone solve well
-constexpr int kSweeps = 2;          // before and after each visit to a coarser level
-constexpr int kCoarsestSweeps = 16; // leave nothing of 4 x 4 cells
-constexpr std::size_t kGrain = 16;  // rows a thread takes at a time
-constexpr int kWorthThreads = 96;   // rows from which on several threads are faster than one
-constexpr float kNearest = 0.125f;  // cells: an edge that is nearer to a coarse cell's middle, or before it, counts so
+constexpr int kCoarsest = 4;         // cells each way that sweeps alone solve well
+constexpr int kSweeps = 2;           // before and after each visit to a coarser level
+constexpr int kCoarsestSweeps = 16;  // leave nothing of 4 x 4 cells
+constexpr int kRows = 16;            // that a thread takes at a time
+static_assert(kRows >= 4 * kSweeps); // bands that get wider must not meet
+constexpr int kWorthThreads = 96;    // rows from which on several threads are faster than one
+constexpr float kNearest = 0.125f;    // cells: an edge that is nearer to a coarse cell's middle, or before it, counts so
 
 void weigh(Level& level, int i, int j) { // one cell, from its faces
     const int colour = (i + j) & 1;
@@ -168,7 +169,8 @@ void Pressure::lay_out(const Grid& grid, const std::array<bool, 4>& open) {
         nx = level.nx / 2, ny = level.ny / 2;
     }
     for (std::size_t side = 0; side < 4; ++side) mirror_[side] = open[side] ? -1.0f : 1.0f;
-    room_.assign(8 * static_cast<std::size_t>(levels_[0].stride + 4 * kLane), 0.0f);
+    room_for_rows_ = 8 * static_cast<std::size_t>(levels_[0].stride + 4 * kLane);
+    room_.assign(static_cast<std::size_t>(levels_[0].ny / 2 / kRows + 1) * room_for_rows_, 0.0f);
 }
 
 void Pressure::set_faces(const Grid& grid, const Field& across, const Field& up, const Patch& whole) {
@@ -201,36 +203,54 @@ void Pressure::set_faces(const Grid& grid, const Field& across, const Field& up,
     }
 }
 
-void Pressure::cycle(std::size_t number, InstructionSet set, Threads& threads) {
-    Level& level = levels_[number];
-    const LevelView fine = level.view();
-    const bool shared = threads.has_crew() && level.ny >= kWorthThreads;
-    auto sweep = [&](int sweeps) {
-        if (!shared) return EVIL_PICK(set, smooth)(fine, sweeps);
-        for (int pass = 0; pass < 2 * sweeps; ++pass)
-            parallel_for(threads, static_cast<std::size_t>(level.ny), kGrain, [&](std::size_t first, std::size_t last) {
-                EVIL_PICK(set, relax_rows)(fine, pass & 1, static_cast<int>(first), static_cast<int>(last));
-            });
+void Pressure::smooth_level(const Level& level, int sweeps, InstructionSet set, Threads& threads) const {
+    const LevelView view = level.view();
+    const int passes = 2 * sweeps;
+    if (!threads.has_crew() || level.ny < kWorthThreads)
+        return EVIL_PICK(set, smooth)(view, passes, {0, level.ny, 0, 0});
+    const int bands = level.ny / kRows;
+    auto edge = [&](int band) { return band < bands ? band * kRows : level.ny; };
+    auto each = [&](int first, auto visit) {
+        parallel_for(threads, static_cast<std::size_t>(bands - first), 1,
+                     [&](std::size_t at, std::size_t) { visit(first + static_cast<int>(at)); });
     };
-    if (number + 1 == levels_.size()) return sweep(kCoarsestSweeps);
-    const LevelView coarse = levels_[number + 1].view();
-    sweep(kSweeps);
+    each(0, [&](int band) {
+        const Band narrower{edge(band), edge(band + 1), band > 0 ? 1 : 0, band + 1 < bands ? -1 : 0};
+        EVIL_PICK(set, smooth)(view, passes, narrower);
+    });
+    each(1, [&](int band) { EVIL_PICK(set, smooth)(view, passes, {edge(band), edge(band), -1, 1}); });
+}
+
+void Pressure::cycle(std::size_t number, InstructionSet set, Threads& threads) {
+    const Level& level = levels_[number];
+    if (number + 1 == levels_.size()) return smooth_level(level, kCoarsestSweeps, set, threads);
+    const LevelView fine = level.view(), coarse = levels_[number + 1].view();
     // a coarse level may have a row more than the fine one fills: solid, and its b is 0
-    EVIL_PICK(set, restrict_rows)(fine, coarse, 0, level.ny / 2, room_.data());
+    auto each_row = [&](auto visit) {
+        auto work = [&](std::size_t first, std::size_t last) {
+            visit(static_cast<int>(first), static_cast<int>(last), room_.data() + first / kRows * room_for_rows_);
+        };
+        const auto rows = static_cast<std::size_t>(level.ny / 2);
+        if (level.ny < kWorthThreads) return work(0, rows);
+        parallel_for(threads, rows, kRows, work);
+    };
+    smooth_level(level, kSweeps, set, threads);
+    each_row([&](int first, int last, float* room) { EVIL_PICK(set, restrict_rows)(fine, coarse, first, last, room); });
     cycle(number + 1, set, threads);
     lend(levels_[number + 1]);
-    EVIL_PICK(set, prolong_rows)(fine, coarse, mirror_.data(), 0, level.ny / 2, room_.data());
-    sweep(kSweeps);
+    each_row([&](int first, int last, float* room) {
+        EVIL_PICK(set, prolong_rows)(fine, coarse, mirror_.data(), first, last, room);
+    });
+    smooth_level(level, kSweeps, set, threads);
 }
 
 void Pressure::solve(const Grid& grid, const Field& b, Field& p, int cycles, InstructionSet set, Threads& threads) {
     Level& fine = levels_[0];
     auto each_row = [&](auto visit) {
-        for (int j = 0; j < grid.ny; ++j) {
-            const std::ptrdiff_t at = j * fine.stride;
-            const std::size_t even = static_cast<std::size_t>(j & 1);
-            visit(grid.at(0, j), at, even);
-        }
+        parallel_for(threads, static_cast<std::size_t>(grid.ny), kRows, [&](std::size_t first, std::size_t last) {
+            for (int j = static_cast<int>(first); j < static_cast<int>(last); ++j)
+                visit(grid.at(0, j), j * fine.stride, static_cast<std::size_t>(j & 1));
+        });
     };
     each_row([&](std::ptrdiff_t row, std::ptrdiff_t at, std::size_t even) {
         EVIL_PICK(set, split_row)(b.data() + row, fine.half, fine.b[even] + at, fine.b[even ^ 1] + at);

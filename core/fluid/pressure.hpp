@@ -59,8 +59,10 @@ public:
 
 private:
     void cycle(std::size_t level, InstructionSet set, Threads& threads);
+    void smooth_level(const Level& level, int sweeps, InstructionSet set, Threads& threads) const;
     std::vector<Level> levels_;
     std::array<float, 4> mirror_{}; // of a correction beyond each side
+    std::size_t room_for_rows_ = 0; // floats that a part of the rows needs
     std::vector<float> room_;
 };
 

@@ -60,17 +60,14 @@ EVIL_INLINE Floats residual(const Row& r, int t) {
 
 } // namespace
 
-void smooth(const LevelView& level, int sweeps) noexcept {
-    const int passes = 2 * sweeps;
-    for (int front = 0; front < level.rows + passes - 1; ++front)
+void smooth(const LevelView& level, int passes, const fluid::Band& band) noexcept {
+    const int end = band.high + (passes - 1) * (band.high_step + 1);
+    for (int front = band.low; front < end; ++front)
         for (int pass = 0; pass < passes; ++pass) {
             const int j = front - pass;
-            if (j >= 0 && j < level.rows) relax_row(level, pass & 1, j);
+            if (j >= band.low + pass * band.low_step && j < band.high + pass * band.high_step)
+                relax_row(level, pass & 1, j);
         }
-}
-
-void relax_rows(const LevelView& level, int colour, int first, int last) noexcept {
-    for (int j = first; j < last; ++j) relax_row(level, colour, j);
 }
 
 void split_row(const float* row, int half, float* even, float* odd) noexcept {

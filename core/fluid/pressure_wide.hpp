@@ -20,14 +20,19 @@ struct LevelView {
     const std::uint8_t* plain[2];                         // by row and tile: are all weights 1?
 };
 
+// Pass k of a smoothing goes over the rows from low + k * low_step up to, not including, high + k * high_step. A band that
+// gets narrower needs nothing from its neighbours; one that begins empty and gets wider fills the gap between two of them.
+struct Band {
+    int low, high, low_step, high_step;
+};
+
 } // namespace evil::fluid
 
 namespace evil {
 
-// Gauss-Seidel, red then black, `sweeps` times; the sweeps follow each other row by row while their numbers are at hand.
-EVIL_WIDE(void smooth(const fluid::LevelView& level, int sweeps) noexcept;)
-// One colour of some rows: the same in parts, for several threads.
-EVIL_WIDE(void relax_rows(const fluid::LevelView& level, int colour, int first, int last) noexcept;)
+// Gauss-Seidel, red then black, `passes` over the rows of a band; they follow each other row by row while the numbers are
+// at hand.
+EVIL_WIDE(void smooth(const fluid::LevelView& level, int passes, const fluid::Band& band) noexcept;)
 // The residual of red cells (black ones have none after a sweep), summed into the coarse level's b; coarse p becomes 0.
 EVIL_WIDE(void restrict_rows(const fluid::LevelView& fine, const fluid::LevelView& coarse, int first, int last,
                              float* room) noexcept;)

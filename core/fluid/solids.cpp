@@ -122,6 +122,7 @@ bool Solids::update(const World& world, const Grid& grid, Pressure& pressure, In
                            {std::max(patch.left - 1, 0), std::max(patch.low - 1, 0), patch.right, patch.high});
     if (changed_.empty()) return false;
     find_gas(grid);
+    pockets_.find({grid, open_, across_, up_, gas_}, pressure.finest());
     find_walls(world, grid, pressure);
     return true;
 }
@@ -196,9 +197,9 @@ void Solids::find_walls(const World& world, const Grid& g, const Pressure& press
 }
 
 // Of two corners of cells, the one that is deeper in a body: which is it?
-std::uint32_t Solids::owner(std::ptrdiff_t a, std::ptrdiff_t b) const {
-    const float deeper = distance_[a] < distance_[b] ? owner_[a] : owner_[b];
-    return deeper > 0.0f ? static_cast<std::uint32_t>(deeper) - 1 : kNone;
+std::uint32_t Solids::deeper(std::ptrdiff_t a, std::ptrdiff_t b) const {
+    const float owner = distance_[a] < distance_[b] ? owner_[a] : owner_[b];
+    return owner > 0.0f ? static_cast<std::uint32_t>(owner) - 1 : kNone;
 }
 
 void Solids::look_at(const std::vector<Body>& bodies, const Grid& g, int i, int j) {
@@ -207,13 +208,13 @@ void Solids::look_at(const std::vector<Body>& bodies, const Grid& g, int i, int 
     auto add = [&](std::vector<Wall>& walls, float open, std::uint32_t body, Vec2 middle) {
         if (body != kNone && moves(bodies[body])) walls.push_back({at, 1.0f - open, corner + middle, body});
     };
-    if (across_[at] < 1.0f && i > 0) add(walls_across_, across_[at], owner(at, above), {0.0f, 0.5f * g.h});
-    if (up_[at] < 1.0f && j > 0) add(walls_up_, up_[at], owner(at, at + 1), {0.5f * g.h, 0.0f});
+    if (across_[at] < 1.0f && i > 0) add(walls_across_, across_[at], deeper(at, above), {0.0f, 0.5f * g.h});
+    if (up_[at] < 1.0f && j > 0) add(walls_up_, up_[at], deeper(at, at + 1), {0.5f * g.h, 0.0f});
     if (gas_[at] == 0.0f) return;
     Vec2 area = g.h * Vec2{across_[at] - across_[at + 1], up_[at] - up_[above]};
     if (i == 0 || i == g.nx - 1) area.x = 0.0f; // the box's own wall is no body's
     if (j == 0 || j == g.ny - 1) area.y = 0.0f;
-    const std::uint32_t low = owner(at, at + 1), high = owner(above, above + 1);
+    const std::uint32_t low = deeper(at, at + 1), high = deeper(above, above + 1);
     const float near_low = std::min(distance_[at], distance_[at + 1]);
     const std::uint32_t body = near_low < std::min(distance_[above], distance_[above + 1]) ? low : high;
     if (body == kNone || area == Vec2{} || bodies[body].kind != BodyKind::dynamic) return;

@@ -4,7 +4,7 @@
 // at the corners of cells; only round what moved since the last step is anything made anew. Scratch: it follows from the
 // bodies alone.
 #include "bodies.hpp"
-#include "fluid/pressure.hpp"
+#include "fluid/pockets.hpp"
 #include "fluid/solids_wide.hpp"
 #include <span>
 
@@ -49,6 +49,7 @@ public:
     const Field& owner() const { return owner_; }       // at corners: the slot of the nearest body + 1, or 0
     const Field& distance() const { return distance_; } // cells, at corners; negative inside a body; 1e30 far from any
     bool any() const { return !pieces_.empty(); }
+    Pockets& pockets() { return pockets_; }
 
 private:
     struct Seen { // a piece as it was drawn
@@ -64,7 +65,7 @@ private:
     void find_gas(const Grid& grid);
     void find_walls(const World& world, const Grid& grid, const Pressure& pressure);
     void look_at(const std::vector<Body>& bodies, const Grid& grid, int i, int j);
-    std::uint32_t owner(std::ptrdiff_t a, std::ptrdiff_t b) const;
+    std::uint32_t deeper(std::ptrdiff_t a, std::ptrdiff_t b) const;
     static Patch cells_of(const Grid& grid, const Patch& patch);
 
     std::array<bool, 4> open_{};
@@ -76,6 +77,7 @@ private:
     std::vector<std::uint8_t> near_; // by tile: is a body that moves near?
     std::vector<Wall> walls_across_, walls_up_;
     std::vector<Shore> shores_;
+    Pockets pockets_;
     Outline outline_;
     bool fresh_ = true;
 };
