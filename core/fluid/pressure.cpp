@@ -11,7 +11,7 @@ constexpr int kCoarsestSweeps = 16;  // leave nothing of 4 x 4 cells
 constexpr int kRows = 16;            // that a thread takes at a time
 static_assert(kRows >= 4 * kSweeps); // bands that get wider must not meet
 constexpr int kWorthThreads = 96;    // rows from which on several threads are faster than one
-constexpr float kNearest = 0.125f;    // cells: an edge that is nearer to a coarse cell's middle, or before it, counts so
+constexpr float kNearest = 0.125f;   // cells: an edge that is nearer to a coarse cell's middle, or before it, counts so
 
 void weigh(Level& level, int i, int j) { // one cell, from its faces
     const int colour = (i + j) & 1;
