@@ -9,7 +9,7 @@
 namespace evil {
 
 // Goes up with each change of the layout; bytes of another number are refused. tests/test_layout_of_snapshots.py watches.
-inline constexpr std::uint32_t kSnapshotVersion = 5;
+inline constexpr std::uint32_t kSnapshotVersion = 6;
 
 std::size_t snapshot_size(const World& world);                        // bytes
 void write_snapshot(const World& world, std::span<std::uint8_t> out); // `out` of just that size
@@ -34,7 +34,7 @@ struct ReadSnapshot {
 ReadSnapshot read_snapshot(std::span<const std::uint8_t> bytes);
 std::vector<std::string> notes_of(const SavedState& saved); // of the forces written in Python
 struct SavedSlots {                                         // which are taken
-    std::vector<std::uint32_t> bodies, shapes, forces, joints, smokes, sources;
+    std::vector<std::uint32_t> bodies, shapes, forces, joints, smokes, sources, waters, streams;
     std::vector<std::uint32_t> shape_bodies; // of each of the shapes, the body that it is on
 };
 SavedSlots slots_of(const SavedState& saved);

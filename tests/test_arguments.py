@@ -246,6 +246,8 @@ NOT_FOR_PEOPLE = {
         "Smoke",
         "Water",
         "Source",
+        "Stream",
+        "Liquid",
     ),  # the engine makes these
     "Game.sprite",  # looks for its image first
     *(

@@ -1,6 +1,6 @@
 // Smoke for Python: handles of gases and their sources. evilengine.world.smoke is the face and has checked what is made.
-#include "bind/buffer.hpp"
 #include "bind/fluid.hpp"
+#include "bind/points.hpp"
 #include "fluid/looks.hpp"
 #include "fluid/sampling.hpp"
 #include "fluid/scratch.hpp"
@@ -10,15 +10,9 @@
 
 namespace evil::bind {
 
-Area area_of(const NewShape& spec, nb::handle at, double angle);
-
 namespace {
 
-using Three = std::tuple<float, float, float>;
 using Pair = std::tuple<float, float>;
-
-fluid::Colour to_colour(const Three& c) { return {std::get<0>(c), std::get<1>(c), std::get<2>(c)}; }
-Three from_colour(const fluid::Colour& c) { return {c.r, c.g, c.b}; }
 
 // ---- fields ------------------------------------------------------------------------------------------------------
 
@@ -167,26 +161,9 @@ std::uint32_t make_source(World& world, std::uint32_t smoke, std::uint32_t body,
     return fluid::add_source(world, std::move(source)).slot;
 }
 
-// What `answer` says of the sample at each point: points are a buffer of two columns, or anything that gives pairs.
-using Answers = nb::typed<nb::list, nb::any>;
 template <class Answer> Answers ask(const SmokeHandle& h, nb::handle points, const char* owner, Answer answer) {
     const fluid::Smoke& smoke = row(h);
-    nb::list answers;
-    const Buffer rows(points);
-    if (rows && rows.dimensions() == 2) {
-        if (rows.columns() != 2 || !(rows.real() || rows.whole()))
-            raise(ErrorKind::argument, std::string(owner) + ": points must have two columns of numbers; got " +
-                                           rows.shape() + " of '" + rows.format() + "'");
-        for (Py_ssize_t i = 0; i < rows.rows(); ++i)
-            answers.append(answer(
-                fluid::sample(smoke, {static_cast<float>(rows.number(i, 0)), static_cast<float>(rows.number(i, 1))})));
-        return nb::borrow<Answers>(answers);
-    }
-    if (is_text(points) || !nb::hasattr(points, "__iter__"))
-        raise(ErrorKind::argument_type, std::string(owner) + ": points must be a point, a list of points or an array");
-    for (nb::handle point : nb::iter(points))
-        answers.append(answer(fluid::sample(smoke, to_vec2(point, owner, "points"))));
-    return nb::borrow<Answers>(answers);
+    return ask_each(points, owner, [&](Vec2 at) { return answer(fluid::sample(smoke, at)); });
 }
 
 void bind_samples(nb::class_<SmokeHandle>& c) {
@@ -218,16 +195,6 @@ nb::bytes paint(const SmokeHandle& h, const RampOf& colours, float scale, bool h
     (heat ? fluid::paint_heat : fluid::paint_density)(smoke, {colours, scale}, pixels);
     std::memcpy(PyBytes_AsString(bytes.ptr()), pixels.data(), 4 * pixels.size());
     return bytes;
-}
-
-template <class H> void bind_handle(nb::class_<H>& c) {
-    c.def("__init__", [](H* self, std::shared_ptr<World> world, std::uint32_t slot) {
-        new (self) H;
-        self->world = std::move(world);
-        self->ref = {slot, slots_of(*self).size() > slot ? slots_of(*self).generation(slot) : 0u};
-        self->born = row(*self).born;
-    });
-    bind_identity(c);
 }
 
 void register_smokes(nb::module_& module) {
@@ -299,12 +266,7 @@ void register_smokes(nb::module_& module) {
     module.def("add_smoke", &make, nb::arg("world"), nb::kw_only(), nb::arg("nx"), nb::arg("ny"), nb::arg("low"),
                nb::arg("cell"), nb::arg("method"), nb::arg("quality"), nb::arg("open"), nb::arg("side_speeds"),
                nb::arg("stick"), nb::arg("colour"));
-    module.def("smoke_slots", [](const World& w) {
-        std::vector<std::uint32_t> list;
-        for (std::uint32_t i = 0; i < w.fluids.smoke_slots.size(); ++i)
-            if (w.fluids.smoke_slots.taken(i)) list.push_back(i);
-        return list;
-    });
+    module.def("smoke_slots", [](const World& w) { return taken_slots(w.fluids.smoke_slots); });
 }
 
 void register_sources(nb::module_& module) {

@@ -226,7 +226,8 @@ void register_world(nb::module_& module) {
     c.def_prop_ro("velocities", [](const World& w) { return view_of(w, &Arrays::velocities, 2); });
     c.def_prop_ro("matrices", [](const World& w) { return view_of(w, &Arrays::matrices, 16); });
     bind_queries(module, c);
-    c.def("snapshot", [](const World& w) {
+    c.def("snapshot", [](World& w) {
+        settle_fluids(w);
         const std::size_t size = snapshot_size(w);
         nb::bytes bytes = nb::steal<nb::bytes>(PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(size)));
         if (!bytes.is_valid()) throw std::bad_alloc();
@@ -241,7 +242,8 @@ void register_world(nb::module_& module) {
                       [](const Saved& s) { return s.state ? notes_of(*s.state) : std::vector<std::string>{}; });
     saved.def_prop_ro("slots", [](const Saved& s) {
         const SavedSlots slots = s.state ? slots_of(*s.state) : SavedSlots{};
-        return std::tuple(slots.bodies, slots.shapes, slots.forces, slots.joints, slots.smokes, slots.sources);
+        return std::tuple(slots.bodies, slots.shapes, slots.forces, slots.joints, slots.smokes, slots.sources,
+                          slots.waters, slots.streams);
     });
     saved.def_prop_ro(
         "shape_bodies",

@@ -34,9 +34,9 @@ struct Fluids { // State: rows by slot
 // One step of all of them: bodies are in their way, push and are pushed, before the solver moves the bodies.
 void step_fluids(World& world, float dt);
 
-void drop_sources_of(World& world, std::uint32_t body); // a body goes, and what it carried
+void drop_sources_of(World& world, std::uint32_t body); // a body goes, and what it carried, streams too
 
-// For whoever saves: between two steps, velocities that were written from outside are taken over.
+// For whoever saves: what was written from outside, which may be anything, is numbers again.
 void settle_fluids(World& world);
 
 } // namespace evil

@@ -1,5 +1,7 @@
 #include "fluid/scratch.hpp"
 #include "fluid/state.hpp"
+#include "fluid/water/pouring.hpp"
+#include "world.hpp"
 #include <algorithm>
 
 namespace evil {
@@ -7,10 +9,19 @@ namespace {
 
 using fluid::Smoke;
 
+constexpr float kLargest = 1e30f; // that is written
+
 bool sensible(const Smoke& s) {
     auto length = [](int n) { return n >= fluid::kLeastCells && n <= fluid::kMostCells; };
     return length(s.grid.nx) && length(s.grid.ny) && s.grid.h > 0.0f && s.method <= fluid::Method::stam &&
            s.quality <= fluid::Quality::high;
+}
+
+// What the next step will bring into its ranges; a file holds numbers only.
+void make_numbers(fluid::Views& views) {
+    auto make = [](float& value) { value = clamped(value, kLargest); };
+    for (fluid::Cell& cell : views.content) make(cell.density), make(cell.temperature), make(cell.fuel);
+    std::ranges::for_each(views.velocity, make);
 }
 
 std::unique_ptr<Smoke> read_smoke(Reader& ar) {
@@ -40,6 +51,12 @@ void read_fluids(Reader& ar, SavedFluids& s) {
     read_table(
         ar, s.source_taken, [&](std::size_t n) { all.sources.resize(n); },
         [&](std::uint32_t slot) { visit(ar, all.sources[slot]); });
+    read_waters(ar, s);
+}
+
+bool has_an_inside(const Area& area) {
+    return (area.radius > 0.0f || !area.parts.empty()) &&
+           std::ranges::all_of(area.parts, [](const auto& part) { return part.size() > 2; });
 }
 
 bool hold_together(const SavedFluids& s, const std::vector<bool>& body_taken) {
@@ -51,11 +68,18 @@ bool hold_together(const SavedFluids& s, const std::vector<bool>& body_taken) {
         const fluid::Source& source = s.fluids.sources[i];
         if (!taken(s.smoke_taken, source.smoke) || source.serial >= s.fluids.next_serial) return false;
         if (source.body != kNone && !taken(body_taken, source.body)) return false;
-        if (!(source.area.radius > 0.0f) && source.area.parts.empty()) return false;
-        for (const auto& part : source.area.parts)
-            if (part.size() < 3) return false;
+        if (!has_an_inside(source.area)) return false;
     }
-    return true;
+    return waters_hold_together(s, body_taken);
+}
+
+void settle_fluids(World& world) {
+    for (std::uint32_t i = 0; i < world.fluids.water_slots.size(); ++i)
+        if (world.fluids.water_slots.taken(i) && world.fluids.waters[i]->particles->lent)
+            settle(*world.fluids.waters[i]);
+    for (std::uint32_t i = 0; i < world.fluids.smoke_slots.size(); ++i)
+        if (world.fluids.smoke_slots.taken(i) && world.fluids.smokes[i]->views->lent)
+            make_numbers(*world.fluids.smokes[i]->views);
 }
 
 void restore_fluids(Fluids& now, SavedFluids& saved) {
@@ -85,6 +109,7 @@ void restore_fluids(Fluids& now, SavedFluids& saved) {
     now.sources = std::move(then.sources);
     now.smokes.resize(now.smoke_slots.size());
     now.sources.resize(now.source_slots.size());
+    restore_waters(now, saved);
     now.next_serial = then.next_serial;
 }
 

@@ -1,6 +1,6 @@
 #include "fluid/smoke.hpp"
 #include "fluid/scratch.hpp"
-#include "fluid/water/water.hpp"
+#include "fluid/water/pouring.hpp"
 #include "world.hpp"
 
 namespace evil {
@@ -12,6 +12,8 @@ void drop_sources_of(World& world, std::uint32_t body) {
     Fluids& all = world.fluids;
     for (std::uint32_t i = 0; i < all.source_slots.size(); ++i)
         if (all.source_slots.taken(i) && all.sources[i].body == body) fluid::destroy_source(world, i);
+    for (std::uint32_t i = 0; i < all.stream_slots.size(); ++i)
+        if (all.stream_slots.taken(i) && all.streams[i].body == body) fluid::destroy_stream(world, i);
 }
 
 namespace fluid {

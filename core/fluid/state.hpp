@@ -1,6 +1,7 @@
 #pragma once
 // The State of a world's fluids, for whoever writes, reads or sums it.
 #include "fluid/smoke.hpp"
+#include "fluid/water/state.hpp"
 #include "state_fields.hpp"
 
 namespace evil {
@@ -23,11 +24,6 @@ template <class A, Like<fluid::Smoke> V> void visit_kind(A& ar, V& s) { // what 
     visit(ar, s.gas);
 }
 
-template <class A, class AnyField> void visit_rows(A& ar, const fluid::Grid& grid, AnyField& field) {
-    for (int j = 0; j <= grid.ny; ++j)
-        for (int i = 0; i <= grid.nx; ++i) ar.value(field[grid.at(i, j)]);
-}
-
 template <class A, Like<fluid::Smoke> V> void visit_content(A& ar, V& s) {
     auto& views = *s.views;
     for (auto& cell : views.content) ar.values(cell.density, cell.temperature, cell.fuel, cell.open);
@@ -47,13 +43,15 @@ void write_fluids(auto& ar, const Fluids& all) {
         visit_content(ar, smoke);
     });
     write_table(ar, all.source_slots, [&](std::uint32_t slot) { visit(ar, all.sources[slot]); });
+    write_waters(ar, all);
 }
 
 struct SavedFluids { // what is read before the world is touched
     Fluids fluids;
-    std::vector<bool> smoke_taken, source_taken;
+    std::vector<bool> smoke_taken, source_taken, water_taken, stream_taken;
 };
 void read_fluids(Reader& ar, SavedFluids& saved);
+bool has_an_inside(const Area& area);
 bool hold_together(const SavedFluids& saved, const std::vector<bool>& body_taken);
 void restore_fluids(Fluids& fluids,
                     SavedFluids& saved); // views that others hold show what was saved, if it is as large

@@ -36,13 +36,14 @@ from evilengine.world.body import Body, Shape
 from evilengine.world.character import Character
 from evilengine.world.contacts import Contact
 from evilengine.world.forces import ConstantForce, Drag, Force, Gravity, Pull, Spring
+from evilengine.world.liquid import Liquid
 from evilengine.world.media import Medium
 from evilengine.world.queries import RayHit
 from evilengine.world.sensors import Visit
 from evilengine.world.shapes import Capsule, Chain, Circle, Particle, Polygon, Rectangle, Segment, Triangle
 from evilengine.world.smoke import Smoke, Source
 from evilengine.world.traits import ALL
-from evilengine.world.water import Water
+from evilengine.world.water import Stream, Water
 from evilengine.world.world import World
 
 if TYPE_CHECKING:
@@ -71,6 +72,7 @@ __all__ = [
     "Gravity",
     "Image",
     "LevelError",
+    "Liquid",
     "Mat4",
     "Medium",
     "Particle",
@@ -89,6 +91,7 @@ __all__ = [
     "Source",
     "Spring",
     "StaleReferenceError",
+    "Stream",
     "Triangle",
     "Vec2",
     "Visit",

@@ -517,7 +517,7 @@ class Saved:
     def notes(self) -> list[str]: ...
 
     @property
-    def slots(self) -> tuple[list[int], list[int], list[int], list[int], list[int], list[int]]: ...
+    def slots(self) -> tuple[list[int], list[int], list[int], list[int], list[int], list[int], list[int], list[int]]: ...
 
     @property
     def shape_bodies(self) -> list[int]:
@@ -2639,10 +2639,17 @@ def add_source(world: World, *, smoke: int, body: int, shape: ShapeSpec, at: obj
 
 class ParticleView:
     """
-    Two numbers for each particle of a water: a float32 buffer that is not copied and may be written. `numpy.asarray(view)` works.
+    Numbers of each particle of a water: a buffer that is not copied; positions and velocities, two float32 each, may be written. `numpy.asarray(view)` works.
     """
 
     def __len__(self) -> int: ...
+
+    @property
+    def shape(self) -> tuple[int, ...]: ...
+
+    def __getitem__(self, arg: int, /) -> object: ...
+
+    def __setitem__(self, at: int, value: object | None) -> None: ...
 
 class Water:
     """A handle of a water: its slot and generation."""
@@ -2667,6 +2674,24 @@ class Water:
 
     def _bury(self, arg: int, /) -> None: ...
 
+    def _velocity_at(self, arg: object, /) -> list[Any]: ...
+
+    def _density_at(self, arg: object, /) -> list[Any]: ...
+
+    def _is_in(self, arg: object, /) -> list[Any]: ...
+
+    def _depth_at(self, arg: object, /) -> list[Any]: ...
+
+    def _add_liquid(self, arg0: float, arg1: float, arg2: float, arg3: tuple[float, float, float], /) -> int: ...
+
+    def _liquid_serials(self) -> list[int]: ...
+
+    def _liquid(self, arg0: int, arg1: int, /) -> tuple[float, float, float, tuple[float, float, float]]: ...
+
+    def _set_liquid(self, arg0: int, arg1: int, arg2: float, arg3: float, arg4: float, arg5: tuple[float, float, float], /) -> None: ...
+
+    def _count_of(self, arg0: int, arg1: int, /) -> int: ...
+
     @property
     def count(self) -> int:
         """How many particles it has."""
@@ -2674,7 +2699,7 @@ class Water:
     @property
     def positions(self) -> ParticleView:
         """
-        Where the particles are, (count, 2) metres; a step changes their order.
+        Where the particles are, (count, 2) metres; a step may change their order.
         """
 
     @property
@@ -2682,13 +2707,99 @@ class Water:
         """How they move, (count, 2) m/s, in the same order."""
 
     @property
-    def particle_size(self) -> float:
-        """Metres: a particle is a square of that side."""
+    def kinds(self) -> ParticleView:
+        """
+        Which of `liquids` each of them is, (count,) bytes in the same order, to be read.
+        """
 
-    def _fill(self, arg0: Sequence[float], arg1: tuple[float, float], /) -> int: ...
+    @property
+    def particle_size(self) -> float:
+        """Metres: a particle stands for a square of that side."""
+
+    @property
+    def cells(self) -> tuple[int, int]:
+        """How many cells its pressure has, across and up."""
+
+    @property
+    def area(self) -> tuple[float, float, float, float]:
+        """Where it may be: (left, bottom, right, top), in whole cells."""
+
+    @property
+    def _open(self) -> list[bool]: ...
+
+    def _fill(self, arg0: ShapeSpec, arg1: object, arg2: float, arg3: int, arg4: tuple[float, float], /) -> int: ...
+
+    def _clear(self, arg0: ShapeSpec, arg1: object, arg2: float, /) -> int: ...
+
+    def _stir(self, arg0: tuple[float, float], arg1: float, arg2: tuple[float, float], /) -> None: ...
+
+    def _streams(self) -> list[int]: ...
 
     def _destroy(self) -> None: ...
+
+MOST_PARTICLES: int = 4194304
+
+MOST_LIQUIDS_OF_WATER: int = 16
 
 def add_water(world: World, *, nx: int, ny: int, low: tuple[float, float], particle_size: float, open: Sequence[bool], density: float, viscosity: float, surface_tension: float, colour: tuple[float, float, float]) -> int: ...
 
 def water_slots(arg: World, /) -> list[int]: ...
+
+class WaterStream:
+    """A handle of a stream: its slot and generation."""
+
+    def __init__(self, arg0: World, arg1: int, /) -> None: ...
+
+    @property
+    def alive(self) -> bool:
+        """False once it was destroyed, or restored away."""
+
+    @property
+    def slot(self) -> int:
+        """Row of this object in the world's arrays."""
+
+    @property
+    def generation(self) -> int:
+        """How often that row has been taken and freed."""
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __hash__(self) -> int: ...
+
+    def _bury(self, arg: int, /) -> None: ...
+
+    @property
+    def velocity(self) -> evilengine.values.vec2.Vec2:
+        """
+        m/s that liquid comes out with, beside its body's own; of one that drains it means nothing.
+        """
+
+    @velocity.setter
+    def velocity(self, value: evilengine.values.vec2.Point, /) -> None: ...
+
+    @property
+    def running(self) -> bool:
+        """Does it pour, or drain, now?"""
+
+    @running.setter
+    def running(self, value: bool, /) -> None: ...
+
+    @property
+    def _rate(self) -> float: ...
+
+    def _set_rate(self, arg: float, /) -> None: ...
+
+    @property
+    def _water(self) -> int: ...
+
+    @property
+    def _body(self) -> int: ...
+
+    @property
+    def _liquid(self) -> int: ...
+
+    def _destroy(self) -> None: ...
+
+MOST_POURING: float = 1000000.0
+
+def add_stream(world: World, *, water: int, body: int, shape: ShapeSpec, at: object, angle: float, rate: float, velocity: tuple[float, float], liquid: int) -> int: ...

@@ -1,3 +1,4 @@
+#include "fluid/water/box.hpp"
 #include "fluid/water/scratch.hpp"
 #include "world.hpp"
 #include <algorithm>
@@ -54,23 +55,6 @@ bool make_room(Water& water, std::size_t count) {
     water.particles = std::move(more);
     return true;
 }
-
-namespace {
-
-struct Box {
-    Vec2 low, high;
-};
-
-Box box_of(const Area& area) {
-    const Vec2 r{area.radius, area.radius};
-    if (area.radius > 0.0f) return {area.centre - r, area.centre + r};
-    Box box{area.parts[0][0], area.parts[0][0]};
-    for (const auto& part : area.parts)
-        for (Vec2 corner : part) box.low = min(box.low, corner), box.high = max(box.high, corner);
-    return box;
-}
-
-} // namespace
 
 std::size_t fill(World& world, Water& water, const Area& area, std::uint32_t liquid, Vec2 velocity) {
     const Grid& g = water.grid;

@@ -28,6 +28,7 @@ struct Particles {
     std::vector<float> affine;        // 1/s, how velocity changes round it: du/dx, du/dy, dv/dx, dv/dy
     std::vector<std::uint8_t> liquid; // which one of Water::liquids
     std::size_t capacity = 0;
+    bool lent = false; // may have been written
 };
 
 struct Stream { // pours liquid, or drains it
@@ -37,7 +38,8 @@ struct Stream { // pours liquid, or drains it
     float rate = 0.0f;          // m2 a second; negative: it drains
     Vec2 velocity;              // of the body's frame, beside the body's own
     std::uint32_t liquid = 0;
-    float due = 0.0f; // particles that a step was too short for
+    float due = 0.0f;         // particles that a step was too short for
+    std::uint64_t poured = 0; // spots that it has tried
     bool running = true;
     std::uint64_t serial = 0, born = 0;
 };

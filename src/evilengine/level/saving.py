@@ -23,6 +23,7 @@ from evilengine.world.body import Body
 from evilengine.world.forces import Force
 from evilengine.world.joints import Joint
 from evilengine.world.smoke import Smoke, Source
+from evilengine.world.water import Stream, Water
 
 if TYPE_CHECKING:
     from evilengine.game import Game
@@ -58,6 +59,10 @@ def reference(thing: object) -> Reference:
             return ["smoke", thing.slot]
         case Source(alive=True):
             return ["source", thing.slot]
+        case Water(alive=True):
+            return ["water", thing.slot]
+        case Stream(alive=True):
+            return ["stream", thing.slot]
         case Text(alive=True):
             return ["text", thing._serial]
         case Event(alive=True):

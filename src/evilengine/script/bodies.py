@@ -179,7 +179,7 @@ class ThingBuilder(ShapeBuilder):
                     self.error("stands-still", message, settings[word][0].place, "add physicsOn")
 
     def _light_conflicts(self, settings: Settings) -> None:
-        """A sun has no cone, and what says where a light shines to says how its picture is turned."""
+        """A sun has neither place nor cone, and what says where a light shines to says how its picture is turned."""
         if "towards" in settings and "cone" in settings and not {"at", "follows"} & settings.keys():
             message = "a light that shines from far away has no cone"
             self.error("both-said", message, settings["cone"][0].place, "say where it is, as in: at 0 3")

@@ -139,12 +139,12 @@ class Smoke(_core.Smoke):
     @known_keywords
     def density_at(self, points: Any) -> Any:
         """The density at a point, as a number; at each of a list or an array of points, as a list. 0 outside."""
-        return _one_or_all(self._density_at, points)
+        return one_or_all(self._density_at, points)
 
     @known_keywords
     def temperature_at(self, points: Any) -> Any:
         """The temperature at a point, or at each of many."""
-        return _one_or_all(self._temperature_at, points)
+        return one_or_all(self._temperature_at, points)
 
     @known_keywords
     def velocity_at(self, points: Any) -> Any:
@@ -154,7 +154,7 @@ class Smoke(_core.Smoke):
         >>> smoke.velocity_at((1, 1)), smoke.velocity_at([(1, 1), (9, 9)])
         (Vec2(0.0, 0.0), [Vec2(0.0, 0.0), Vec2(0.0, 0.0)])
         """
-        return _one_or_all(self._velocity_at, points)
+        return one_or_all(self._velocity_at, points)
 
     @property
     def open_sides(self) -> tuple[str, ...]:
@@ -270,7 +270,8 @@ class Fluids:
         return tuple(Smoke(self, slot) for slot in _core.smoke_slots(self._core))  # type: ignore[arg-type]
 
 
-def _one_or_all(ask: Callable[[Any], list[Any]], points: Any) -> Any:
+def one_or_all(ask: Callable[[Any], list[Any]], points: Any) -> Any:
+    """What is asked of one point, or the list of it of many."""
     one = isinstance(points, Sequence) and len(points) == 2 and not hasattr(points[0], "__len__")
     return ask([points])[0] if one else ask(points)
 
