@@ -148,6 +148,14 @@ def test_lines_are_as_thick_in_points_on_a_finer_screen(stage: Stage) -> None:
     assert widths[1] == pytest.approx(4.5, abs=0.5)
 
 
+def test_a_long_legend_goes_on_in_the_next_line(stage: Stage) -> None:
+    stage.add(at=(0, 0))
+    view = stage.scene.debug_view
+    view.legend = view.velocities = view.impulses = view.bounds = True
+    view.velocity = "#123456"
+    assert pixels_of(stage, (0x12, 0x34, 0x56)) > 20, "its square is on the screen"
+
+
 def test_the_legend_counts_and_needs_fonts(stage: Stage) -> None:
     before = stage.show().tobytes()
     stage.scene.debug_view.legend = True

@@ -12,6 +12,8 @@ from golden_pictures import assert_golden
 
 import evilengine as evil
 from evilengine import level, script
+from evilengine.audio.hearing import from_place
+from evilengine.game import saving
 from evilengine.script.translate import translate
 from evilengine.values.errors import StaleReferenceError
 from evilengine.values.vec2 import Vec2
@@ -239,6 +241,25 @@ def test_bad_views_are_refused() -> None:
         game.add_view("left")
     with pytest.raises(evil.ArgumentError, match="32 views"):
         game.add_view("left")
+
+
+def test_each_sound_is_heard_from_the_nearest_player(tmp_path: Path) -> None:
+    game = evil.Game(headless=True, renderer="soft", sound="none", gravity=(0, 0))
+    one, two = (game.add(evil.Circle(0.5), at=(x, 0)) for x in (-40, 40))
+    game.add_view((0.8, 0.8, 1, 1), follow=two)
+    game.step()
+    near_two = evil.Vec2(43.0, 0.0)
+    assert from_place(near_two, game.audio.listener)[0] < 0.2, "a map hears nothing"
+    game.split(one, two)
+    game.step()
+    assert from_place(near_two, game.audio.listener) == (1.0, pytest.approx(3 / 8))
+    assert from_place(evil.Vec2(-43.0, 0.0), game.audio.listener) == (1.0, pytest.approx(-3 / 8))
+    data = saving.to_bytes(game)
+    game.split(one)
+    game.step()
+    assert from_place(near_two, game.audio.listener)[0] < 0.1
+    saving.from_bytes(game, data, "saved")
+    assert [view.hears for view in game.views] == [True, True]
 
 
 def test_a_saved_game_has_its_views(tmp_path: Path) -> None:

@@ -27,6 +27,8 @@ class Listener:
 
     position: Vec2 = ORIGIN
     angle: float = 0.0
+    others: tuple[Listener, ...] = ()
+    """Whoever hears as well, such as a second player: each sound is heard by the one who is nearest to it."""
 
 
 def from_place(place: Vec2, listener: Listener) -> tuple[float, float]:
@@ -34,7 +36,12 @@ def from_place(place: Vec2, listener: Listener) -> tuple[float, float]:
 
     >>> from_place(Vec2(3.0, 0.0), Listener())[0], from_place(Vec2(-20.0, 0.0), Listener())[0]
     (1.0, 0.25)
+    >>> from_place(Vec2(-20.0, 0.0), Listener(others=(Listener(Vec2(-20.0, 0.0)),)))
+    (1.0, 0.0)
     """
+    if listener.others:
+        ways = [(place - each.position, each) for each in (listener, *listener.others)]
+        _, listener = min(ways, key=lambda way: way[0].dot(way[0]))
     apart = place - listener.position
     if listener.angle:
         apart = apart.turned(-listener.angle)

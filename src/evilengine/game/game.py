@@ -256,7 +256,10 @@ class Game(Life, GameScreen, Controls, Things):
         return collect_views(self.scene, self.views, self._alpha, device.pixel_size, device.scale, overlay=overlay)
 
     def _hear(self, *, paused: bool = False) -> None:
-        self.audio.update(Listener(self.camera.position, self.camera.angle), paused=paused, tempo=self.speed)
+        places = [(view.camera.position, view.camera.angle) for view in self.views if view.visible and view.hears]
+        first, *others = places or [(self.camera.position, self.camera.angle)]
+        listener = Listener(*first, tuple(Listener(*place) for place in others))
+        self.audio.update(listener, paused=paused, tempo=self.speed)
 
     def _turn_gravity(self, direction: Vec2) -> None:
         """Turn gravity and keep its strength (SPEC I4), which is that of the gravity that anybody else set last."""

@@ -143,7 +143,7 @@ class GameScreen:
         """Share the window out among one to four things, and follow each in a view of its own; they are returned.
 
         Two are side by side, or one over the other with `stacked`; three and four are in quarters, and of three the
-        last has both lower ones. `game.split(hero)` gives all of it to one again.
+        last has both lower ones. `game.split(hero)` gives all of it to one again. Sounds are heard from the nearest.
 
         >>> game = evil.Game(headless=True)
         >>> one, two = game.add_character(at=(0, 1)), game.add_character(at=(9, 1))

@@ -220,12 +220,35 @@ class DebugView:
         scale: float,
     ) -> None:
         texture, font = fonts(max(round(LEGEND_SIZE * scale), 6))
-        left, line = float(round(MARGIN * scale)), font.line_height
-        top = float(round(screen[1] - MARGIN * scale - line))
-        rows = [(colour, *layout(font, word)) for colour, word in words]
+        begin, line = float(round(MARGIN * scale)), font.line_height
         swatch, gap = round(0.7 * line), round(0.5 * line)
-        width = sum(extent[0] + gap * 2 + (swatch if colour else 0) for colour, _, extent in rows)
-        core.box(left - gap, top - 0.3 * line, left + width, top + 1.3 * line, _packed("#000000a0"))
+        lines: list[list[tuple[ColourLike | None, bytes, tuple[float, float]]]] = [[]]
+        width = widest = 0.0
+        for colour, word in words:
+            row = (colour, *layout(font, word))
+            wide = row[2][0] + gap * 2 + (swatch if colour else 0)
+            if lines[-1] and begin + width + wide > screen[0]:
+                lines.append([])
+                width = 0.0
+            lines[-1].append(row)
+            width += wide
+            widest = max(widest, width)
+        top = float(round(screen[1] - MARGIN * scale - line)) - (len(lines) - 1) * 1.4 * line
+        bottom = top + (len(lines) - 1) * 1.4 * line + 1.3 * line
+        core.box(begin - gap, top - 0.3 * line, begin + widest, bottom, _packed("#000000a0"))
+        for number, rows in enumerate(lines):
+            self._draw_legend_line(core, rows, begin, round(top + number * 1.4 * line), line, texture)
+
+    def _draw_legend_line(
+        self,
+        core: CoreScene,
+        rows: list[tuple[ColourLike | None, bytes, tuple[float, float]]],
+        left: float,
+        top: float,
+        line: float,
+        texture: int,
+    ) -> None:
+        swatch, gap = round(0.7 * line), round(0.5 * line)
         for colour, boxes, extent in rows:
             if colour:
                 core.box(left, top + 0.5 * (line - swatch), left + swatch, top + 0.5 * (line + swatch), _packed(colour))

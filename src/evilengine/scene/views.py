@@ -58,7 +58,7 @@ class View:
     ((221.0, 140.0), True)
     """
 
-    __slots__ = ("_area", "_views", "camera", "visible")
+    __slots__ = ("_area", "_views", "camera", "hears", "visible")
 
     def __init__(self, views: Views, camera: Camera, area: Area) -> None:
         self._views: Views | None = views
@@ -66,6 +66,9 @@ class View:
         """What it shows."""
         self.visible = True
         """Is it seen? One that is not gets no touches either."""
+        self.hears = False
+        """Are sounds heard where it looks? Where several do, each sound is heard from the nearest. The first does, and
+        those of a split screen."""
         self._area = area
         self._lay()
 
@@ -124,6 +127,7 @@ class Note:
     view: View
     area: Area
     visible: bool
+    hears: bool
     look: tuple[Vec2, float, float]
     fit: tuple[float, float] | None
     bounds: Area | None
@@ -136,6 +140,7 @@ class Views:
         self._size = size
         self._rows: list[View] = []
         self._rows.append(View(self, camera, WHOLE))
+        self._rows[0].hears = True
 
     def __len__(self) -> int:
         return len(self._rows)
@@ -193,8 +198,9 @@ class Views:
             view.destroy()
         self._rows[0].area, self._rows[0].visible = areas[0], True
         self._rows[0].camera.follow(targets[0], jump=True)
-        more = zip(targets[1:], areas[1:], strict=True)
-        return (self._rows[0], *(self.add(area, target, None, {}) for target, area in more))
+        for target, area in zip(targets[1:], areas[1:], strict=True):
+            self.add(area, target, None, {}).hears = True
+        return tuple(self._rows)
 
     @known_keywords
     def at(self, pixel: Point) -> View:
@@ -217,7 +223,8 @@ class Views:
         """How they are now, for `become`."""
         cameras = [(view, view.camera) for view in self._rows]
         return tuple(
-            Note(view, view.area, view.visible, (c.position, c.zoom, c.angle), c._fit, c.bounds) for view, c in cameras
+            Note(view, view.area, view.visible, view.hears, (c.position, c.zoom, c.angle), c._fit, c.bounds)
+            for view, c in cameras
         )
 
     def become(self, notes: tuple[Note, ...]) -> None:
@@ -227,12 +234,17 @@ class Views:
             camera = note.view.camera
             camera._rest()
             (camera.position, camera.zoom, camera.angle), camera._fit, camera._bounds = note.look, note.fit, note.bounds
-            note.view.area, note.view.visible = note.area, note.visible
+            note.view.area, note.view.visible, note.view.hears = note.area, note.visible, note.hears
 
     def state(self) -> list[dict[str, Any]]:
         """What a saved game keeps of them; the size of the window is the device's."""
         return [
-            {"area": list(view.area), "visible": view.visible, "camera": camera_state(view.camera)}
+            {
+                "area": list(view.area),
+                "visible": view.visible,
+                "hears": view.hears,
+                "camera": camera_state(view.camera),
+            }
             for view in self._rows
         ]
 
@@ -242,14 +254,20 @@ class Views:
             raise ValueError("a window has a view, and not too many")
         known = [*self._rows, *(View(self, Camera(), WHOLE) for _ in state[len(self) :])][: len(state)]
         rows = [
-            (view, to_area(row["area"], "view"), bool(row["visible"]), read_camera(view.camera, row["camera"], bodies))
+            (
+                view,
+                to_area(row["area"], "view"),
+                bool(row["visible"]),
+                bool(row.get("hears", view is known[0])),  # saves of 0.1 and before say nothing of it
+                read_camera(view.camera, row["camera"], bodies),
+            )
             for view, row in zip(known, state, strict=True)
         ]
 
         def put(body: Callable[[int], Followed]) -> None:
             self._have(known)
-            for view, area, visible, camera in rows:
-                view.area, view.visible = area, visible
+            for view, area, visible, hears, camera in rows:
+                view.area, view.visible, view.hears = area, visible, hears
                 camera(body)
 
         return put
