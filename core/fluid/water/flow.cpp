@@ -141,6 +141,8 @@ void press_flow(World& world, Water& water, float dt) {
     const CellsView cells = s.view(water);
     const InstructionSet set = world.instruction_set;
     const std::span<const Tile> wet = s.wet_tiles, active = s.active;
+    stretch_skin(water, dt);
+    thicken(world, water, dt);
     EVIL_PICK(set, find_inflow_of)(cells, wet.data(), wet.size(), s.u.data(), s.v.data(), s.inflow.data());
     find_riders(world, water, dt);
     for (const Tile& tile : active)
@@ -150,6 +152,7 @@ void press_flow(World& world, Water& water, float dt) {
     EVIL_PICK(set, flow_by_pressure)(cells, active.data(), active.size(), water.pressure.data(), s.u.data(),
                                      s.v.data());
     push_riders(world, water, dt);
+    drop_skin(water);
     slide_along(world, water, s.u, s.solids.across(), true);
     slide_along(world, water, s.v, s.solids.up(), false);
     close_sides(water, s.u, s.v);

@@ -38,6 +38,26 @@ struct PouringRoom { // of one stream at a time
     std::vector<std::uint32_t> gone;
 };
 
+struct ThickFace { // in the equation of viscosity
+    std::int32_t at, i, j;
+    std::int32_t next[4]; // faces beside it, or -1
+    float k[4];
+    float total, wanted;
+};
+
+struct Rub { // of liquid on a body, at a face
+    std::uint32_t body;
+    Vec2 along, arm;
+    float firm, against; // how firmly, and the speed past the body
+};
+
+struct ThickScratch {
+    std::vector<std::int32_t> numbers; // of faces
+    std::vector<ThickFace> faces;
+    std::vector<float> x, r, s, q;
+    std::vector<Rub> rubs;
+};
+
 struct WaterScratch {
     PouringRoom pouring;
     bool laid_out = false;
@@ -61,6 +81,9 @@ struct WaterScratch {
     Field inflow;           // of cells, and what else pressure shall bring about
     Field spread;           // the pressure that moves particles apart
     Press press;
+    ThickScratch thick;
+    Field viscosity, tension; // of what is in cells; empty until there is any
+    bool has_skin = false;
     std::vector<Reach> reaches, unsorted_reaches;
     std::vector<Rider> riders;
     std::vector<std::uint32_t> reaches_of; // by body
@@ -89,6 +112,11 @@ void gather_flow(const World& world, Water& water, float dt);
 void find_liquid(const World& world, Water& water);
 void press_flow(World& world, Water& water, float dt);
 void scatter_flow(const World& world, Water& water, float dt);
+
+// thick.cpp: viscosity and the surface's tension.
+void thicken(World& world, Water& water, float dt);
+void stretch_skin(Water& water, float dt); // for one solution
+void drop_skin(Water& water);
 
 // riders.cpp: bodies in the pressure's equation.
 void find_riders(const World& world, Water& water, float dt);
