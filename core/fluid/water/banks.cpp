@@ -62,14 +62,20 @@ void lay_out(Water& water) {
     const Grid& g = water.grid;
     s.solids.lay_out(g, water.open);
     s.press.lay_out(g);
-    for (Field* field :
-         {&s.volume, &s.per_room, &s.u, &s.v, &s.shift_u, &s.shift_v, &s.rho, &s.wet, &s.inflow, &s.spread})
+    for (Field* field : {&s.volume, &s.per_room, &s.u, &s.v, &s.shift_u, &s.shift_v, &s.rho, &s.wet, &s.mass, &s.skin,
+                         &s.inflow, &s.spread})
         field->lay_out(g);
     for (Pairs* pairs : {&s.gathered_u, &s.gathered_v, &s.gathered}) pairs->lay_out(g);
     const auto tiles = static_cast<std::size_t>(g.stride / 8);
     s.near.assign(tiles * static_cast<std::size_t>(g.ny + 1), 0);
     s.marked.assign((tiles * static_cast<std::size_t>(g.ny + 3) + 2 + 7) / 8 * 8, 0);
     s.first.assign(static_cast<std::size_t>(g.stride * (g.ny + 1)), 0);
+    for (int j = 0; j < g.ny; ++j) // where there was liquid, pressure is to be cleared once it left
+        for (int i = 0; i < g.nx; i += 8) {
+            const float* eight = water.pressure.data() + g.at(i, j);
+            if (std::any_of(eight, eight + 8, [](float p) { return p != 0.0f; }))
+                s.active.push_back({i, j, g.at(i, j)});
+        }
     open_rim(water);
 }
 

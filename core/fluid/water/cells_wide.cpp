@@ -19,12 +19,24 @@ EVIL_INLINE Floats per_distance(Floats liquid, Floats air) {
     return select(air < Floats(kSolid), clamp(rate, 1.0f, kNearest), Floats(2.0f));
 }
 
+// How easily a face's liquid is moved: it weighs what the cells beside it do.
+EVIL_INLINE Floats ease(Floats mass, Floats other_mass) { return Floats(2.0f) / (mass + other_mass); }
+
+struct Here { // what is in eight cells
+    Floats wet, rho, mass;
+};
+EVIL_INLINE Here look(const CellsView& c, std::ptrdiff_t at) {
+    return {load(c.wet + at), load(c.rho + at), load(c.mass + at)};
+}
+
 struct FaceWeights {
     Floats liquid, air;
 };
-EVIL_INLINE FaceWeights weigh(Floats open, Floats wet, Floats other_wet, Floats rho, Floats other_rho) {
-    const Floats weight = open * wet;
-    return {weight * other_wet, weight * (Floats(1.0f) - other_wet) * per_distance(rho, other_rho)};
+EVIL_INLINE FaceWeights weigh(const CellsView& c, const Here& here, const float* open, std::ptrdiff_t other) {
+    const Here there = look(c, other);
+    const Floats weight = load(open) * here.wet;
+    return {weight * there.wet * ease(here.mass, there.mass),
+            weight * (Floats(1.0f) - there.wet) * per_distance(here.rho, there.rho) / here.mass};
 }
 
 } // namespace
@@ -32,8 +44,10 @@ EVIL_INLINE FaceWeights weigh(Floats open, Floats wet, Floats other_wet, Floats 
 void measure_cells(const CellsView& c, const Tile* tiles, std::size_t count, const float* pairs) noexcept {
     for (std::size_t k = 0; k < count; ++k) {
         const std::ptrdiff_t at = tiles[k].at;
-        float particles[kLanes];
-        for (int i = 0; i < kLanes; ++i) particles[i] = pairs[2 * (at + i) + 1];
+        float particles[kLanes], mass[kLanes];
+        for (int i = 0; i < kLanes; ++i) mass[i] = pairs[2 * (at + i)], particles[i] = pairs[2 * (at + i) + 1];
+        const Floats some = load(particles);
+        store(c.mass + at, select(some > 0.0f, load(mass) / some, Floats(1.0f)));
         const Floats per_room = load(c.per_room + at);
         store(c.rho + at, select(per_room > 0.0f, load(particles) * per_room, Floats(kSolid)));
     }
@@ -54,11 +68,10 @@ void find_wet(const CellsView& c, const Tile* tiles, std::size_t count, std::uin
 void weigh_cells(const CellsView& c, const Tile* tiles, std::size_t count) noexcept {
     for (std::size_t k = 0; k < count; ++k) {
         const std::ptrdiff_t at = tiles[k].at, s = c.stride;
-        const Floats wet = load(c.wet + at), rho = load(c.rho + at);
-        const FaceWeights left = weigh(load(c.across + at), wet, load(c.wet + at - 1), rho, load(c.rho + at - 1));
-        const FaceWeights right = weigh(load(c.across + at + 1), wet, load(c.wet + at + 1), rho, load(c.rho + at + 1));
-        const FaceWeights below = weigh(load(c.up + at), wet, load(c.wet + at - s), rho, load(c.rho + at - s));
-        const FaceWeights above = weigh(load(c.up + at + s), wet, load(c.wet + at + s), rho, load(c.rho + at + s));
+        const Here here = look(c, at);
+        const FaceWeights left = weigh(c, here, c.across + at, at - 1),
+                          right = weigh(c, here, c.across + at + 1, at + 1);
+        const FaceWeights below = weigh(c, here, c.up + at, at - s), above = weigh(c, here, c.up + at + s, at + s);
         const Floats drain = (left.air + right.air) + (below.air + above.air);
         const Floats total = ((left.liquid + right.liquid) + (below.liquid + above.liquid)) + drain;
         store(c.left + at, left.liquid);
@@ -77,7 +90,7 @@ void find_inflow_of(const CellsView& c, const Tile* tiles, std::size_t count, co
         const std::ptrdiff_t at = tiles[k].at, s = c.stride;
         const Floats across = load(c.across + at) * load(u + at) - load(c.across + at + 1) * load(u + at + 1);
         const Floats up = load(c.up + at) * load(v + at) - load(c.up + at + s) * load(v + at + s);
-        store(inflow + at, load(c.wet + at) * (across + up));
+        store(inflow + at, load(c.wet + at) * (across + up) + load(c.drain + at) * load(c.skin + at));
     }
 }
 
@@ -85,14 +98,19 @@ void flow_by_pressure(const CellsView& c, const Tile* tiles, std::size_t count, 
                       float* v) noexcept {
     for (std::size_t k = 0; k < count; ++k) {
         const std::ptrdiff_t at = tiles[k].at;
-        const Floats wet = load(c.wet + at), rho = load(c.rho + at), here = load(p + at);
+        const Here here = look(c, at);
+        const Floats pressure = load(p + at), above_skin = (pressure - load(c.skin + at)) / here.mass;
         auto lose = [&](const float* open, float* flow, std::ptrdiff_t other) {
-            const Floats other_wet = load(c.wet + other), other_rho = load(c.rho + other), there = load(p + other);
-            const Floats outward = wet * (Floats(1.0f) - other_wet) * here * per_distance(rho, other_rho);
-            const Floats inward = other_wet * (Floats(1.0f) - wet) * there * per_distance(other_rho, rho);
-            const Floats change = wet * other_wet * (here - there) + (outward - inward);
+            const Here there = look(c, other);
+            const Floats other_pressure = load(p + other),
+                         other_above = (other_pressure - load(c.skin + other)) / there.mass;
+            const Floats outward =
+                here.wet * (Floats(1.0f) - there.wet) * above_skin * per_distance(here.rho, there.rho);
+            const Floats inward =
+                there.wet * (Floats(1.0f) - here.wet) * other_above * per_distance(there.rho, here.rho);
+            const Floats within = here.wet * there.wet * ease(here.mass, there.mass) * (pressure - other_pressure);
             const Floats before = load(flow + at);
-            store(flow + at, select(load(open + at) > 0.0f, before - change, before));
+            store(flow + at, select(load(open + at) > 0.0f, before - (within + (outward - inward)), before));
         };
         lose(c.across, u, at - 1);
         lose(c.up, v, at - c.stride);

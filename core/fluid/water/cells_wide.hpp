@@ -14,7 +14,8 @@ struct SwarmView { // particles, in cells and m/s; eight more may be read and wr
 struct CellsView {
     std::ptrdiff_t stride;
     const float *across, *up, *per_room;
-    float *rho, *wet;
+    float *rho, *wet, *mass;
+    const float* skin; // pressure of the surface
     float *left, *right, *below, *above, *drain, *total, *inverse;
 };
 

@@ -97,9 +97,14 @@ void slide_along(const World& world, Water& water, Field& flow, const Field& ope
 
 CellsView WaterScratch::view(const Water& water) {
     PressLevel& level = press.finest();
-    return {water.grid.stride,  solids.across().data(), solids.up().data(),  per_room.data(),    rho.data(),
-            wet.data(),         level.left.data(),      level.right.data(),  level.below.data(), level.above.data(),
-            level.drain.data(), level.total.data(),     level.inverse.data()};
+    return {water.grid.stride,   solids.across().data(),
+            solids.up().data(),  per_room.data(),
+            rho.data(),          wet.data(),
+            mass.data(),         skin.data(),
+            level.left.data(),   level.right.data(),
+            level.below.data(),  level.above.data(),
+            level.drain.data(),  level.total.data(),
+            level.inverse.data()};
 }
 
 void gather_flow(const World& world, Water& water, float dt) {
@@ -125,6 +130,8 @@ void find_liquid(const World& world, Water& water) {
     WaterScratch& s = *water.scratch;
     const CellsView cells = s.view(water);
     const InstructionSet set = world.instruction_set;
+    for (Field* field : {&s.rho, &s.wet})
+        for (const Tile& tile : s.active_before) std::fill_n(field->data() + tile.at, 8, 0.0f);
     s.any_wet.resize(s.active.size());
     EVIL_PICK(set, measure_cells)(cells, s.active.data(), s.active.size(), s.gathered.data());
     EVIL_PICK(set, find_wet)(cells, s.active.data(), s.active.size(), s.any_wet.data());
@@ -134,6 +141,10 @@ void find_liquid(const World& world, Water& water) {
         if (s.any_wet[k]) s.wet_tiles.push_back(s.active[k]), s.press.add_tile(s.active[k]);
     EVIL_PICK(set, weigh_cells)(cells, s.wet_tiles.data(), s.wet_tiles.size());
     s.press.finish(set);
+    for (const auto& tiles : {std::span(s.active_before), std::span(s.active)})
+        for (const Tile& tile : tiles)
+            for (std::ptrdiff_t k = tile.at; k < tile.at + 8; ++k)
+                if (s.wet[k] == 0.0f) water.pressure[k] = s.spread[k] = 0.0f;
 }
 
 void press_flow(World& world, Water& water, float dt) {
@@ -145,9 +156,6 @@ void press_flow(World& world, Water& water, float dt) {
     thicken(world, water, dt);
     EVIL_PICK(set, find_inflow_of)(cells, wet.data(), wet.size(), s.u.data(), s.v.data(), s.inflow.data());
     find_riders(world, water, dt);
-    for (const Tile& tile : active)
-        for (std::ptrdiff_t k = tile.at; k < tile.at + 8; ++k)
-            if (s.wet[k] == 0.0f) water.pressure[k] = s.spread[k] = 0.0f;
     s.rounds = s.press.solve(s.inflow, water.pressure, {s.riders, s.reaches}, kTolerance, kMostRounds, set);
     EVIL_PICK(set, flow_by_pressure)(cells, active.data(), active.size(), water.pressure.data(), s.u.data(),
                                      s.v.data());

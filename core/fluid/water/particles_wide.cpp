@@ -55,10 +55,11 @@ void splat_particles(const SwarmView& p, std::ptrdiff_t stride, float* across, f
         const std::size_t n = p.count - first < kLanes ? p.count - first : kLanes;
         for (std::size_t k = 0; k < n; ++k) {
             const std::size_t q = first + k;
-            const Floats wu = corner_weights(u.s[k], u.t[k]), wv = corner_weights(v.s[k], v.t[k]);
+            const Floats heft(p.mass[q]);
+            const Floats wu = heft * corner_weights(u.s[k], u.t[k]), wv = heft * corner_weights(v.s[k], v.t[k]);
             add(across, stride, u.at[k], wu * velocities(p.u[q], p.affine[0][q], p.affine[1][q], u.s[k], u.t[k]));
             add(up, stride, v.at[k], wv * velocities(p.v[q], p.affine[2][q], p.affine[3][q], v.s[k], v.t[k]));
-            const Floats mass = load(kValue) * Floats(p.mass[q]) + load(kOne);
+            const Floats mass = load(kValue) * heft + load(kOne);
             add(middle, stride, c.at[k], corner_weights(c.s[k], c.t[k]) * mass);
         }
     }

@@ -84,6 +84,7 @@ void Press::lay_out(const Grid& grid) {
 }
 
 void Press::begin() {
+    for (const Tile& tile : levels_[0].tiles) std::fill_n(search_.data() + tile.at, 8, 0.0f);
     for (PressLevel& level : levels_) clear_tiles(level);
 }
 
@@ -121,7 +122,9 @@ void Press::add_riders(const Riders& riders, const float* p, float* result, doub
     for (const Rider& rider : riders.all) {
         if (!rider.free) continue;
         const PushOf sum = push_of(rider, riders.reaches, p);
-        const double x = sum.x * double(rider.per_mass), y = sum.y * double(rider.per_mass);
+        const double stopped = double(rider.stop.x) * sum.x + double(rider.stop.y) * sum.y;
+        const double x = double(rider.per_mass) * (sum.x - stopped * double(rider.stop.x));
+        const double y = double(rider.per_mass) * (sum.y - stopped * double(rider.stop.y));
         const double turn = sum.turn * double(rider.per_inertia);
         *energy += sum.x * x + sum.y * y + sum.turn * turn;
         for (std::uint32_t k = rider.first; k < rider.last; ++k) {

@@ -26,6 +26,7 @@ struct Rider { // a body in the equation
     Vec2 velocity;                     // before the pressure acts
     float spin = 0.0f;
     float per_mass = 0.0f, per_inertia = 0.0f; // what a pressure of 1 on a reach of 1 changes its velocity and spin by
+    Vec2 stop;                                 // a direction that it is held in, by that length: 1 is wholly
 };
 
 struct Riders {

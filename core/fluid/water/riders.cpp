@@ -7,6 +7,7 @@
 namespace evil::fluid {
 namespace {
 
+constexpr float kHeld = 0.05f;    // share of a gain: less than that is how a step rounds
 constexpr float kWakes = 0.5f;    // m/s2 by which the push on a sleeping body must change to wake it
 constexpr float kMostPush = 1e4f; // m/s2: a squeezed pocket may press without bounds
 
@@ -80,20 +81,34 @@ void sort_reaches(WaterScratch& s, std::size_t bodies) {
     for (const Reach& reach : s.unsorted_reaches) s.reaches[s.reaches_of[reach.body]++] = reach;
 }
 
-// What joints and contacts kept a body from in the last step they will keep it from again: at most what it was to gain.
-Vec2 held(Vec2 missing, Vec2 gained) {
-    const float along = dot(missing, gained), most = length_squared(gained), size = length_squared(missing);
-    if (!(along < 0.0f) || most == 0.0f) return {};
-    return size > most ? std::sqrt(most / size) * missing : missing;
+// What joints and contacts kept a body from in the last step they will keep it from again: the share of a gain that was
+// lost, and for velocities the direction, times the root of the share.
+Vec2 stop_of(Vec2 missing, Vec2 gained) {
+    const float size = length(missing), most = -dot(gained, missing);
+    if (!(most > kHeld * length_squared(gained)) || size == 0.0f) return {};
+    return std::sqrt(std::min(size * size / most, 1.0f)) / size * missing;
 }
-float held(float missing, float gained) {
-    if (!(missing * gained < 0.0f)) return 0.0f;
-    return std::clamp(missing, -std::abs(gained), std::abs(gained));
+float stop_of(float missing, float gained) {
+    const float share = gained != 0.0f ? -missing / gained : 0.0f;
+    return share > kHeld ? std::min(share, 1.0f) : 0.0f;
 }
 
 const Afloat* remembered(const Water& water, std::uint32_t slot, const Body& body) {
     const auto it = std::ranges::lower_bound(water.afloat, slot, {}, &Afloat::body);
     return it != water.afloat.end() && it->body == slot && it->serial == body.serial ? &*it : nullptr;
+}
+
+void set_free(Rider& rider, const Body& b, const Afloat* last, Vec2 gravity, float per_push, float dt) {
+    rider.per_mass = per_push * b.inv_mass, rider.per_inertia = per_push * b.inv_inertia;
+    Vec2 gain = dt * (b.gravity_scale * gravity + b.inv_mass * b.force);
+    float spin = dt * b.inv_inertia * b.torque;
+    if (last) {
+        rider.stop = stop_of(b.velocity - last->velocity, last->gained);
+        const float turning = 1.0f - stop_of(b.spin - last->spin, last->gained_spin);
+        gain -= dot(rider.stop, gain) * rider.stop;
+        spin *= turning, rider.per_inertia *= turning;
+    }
+    rider.velocity += gain, rider.spin += spin;
 }
 
 } // namespace
@@ -113,15 +128,7 @@ void find_riders(const World& world, Water& water, float dt) {
         const Body& b = world.bodies.rows[rider.body];
         rider.velocity = b.velocity, rider.spin = b.spin;
         rider.free = b.kind == BodyKind::dynamic && b.awake;
-        if (rider.free) {
-            rider.per_mass = per_push * b.inv_mass, rider.per_inertia = per_push * b.inv_inertia;
-            rider.velocity += dt * (b.gravity_scale * world.gravity + b.inv_mass * b.force);
-            rider.spin += dt * b.inv_inertia * b.torque;
-            if (const Afloat* last = remembered(water, rider.body, b); last) {
-                rider.velocity += held(b.velocity - last->velocity, last->gained);
-                rider.spin += held(b.spin - last->spin, last->gained_spin);
-            }
-        }
+        if (rider.free) set_free(rider, b, remembered(water, rider.body, b), world.gravity, per_push, dt);
         for (std::uint32_t k = rider.first; k < rider.last; ++k) {
             const Reach& reach = s.reaches[k];
             s.inflow[reach.at] -= reach.x * rider.velocity.x + reach.y * rider.velocity.y + reach.turn * rider.spin;

@@ -69,7 +69,7 @@ struct WaterScratch {
 
     // Tiles of eight cells that hold particles; with all round them; with liquid.
     std::vector<std::uint8_t> marked; // by tile, with a row more at either end
-    std::vector<Tile> occupied, active, wet_tiles;
+    std::vector<Tile> occupied, active, active_before, wet_tiles;
     std::vector<std::uint8_t> any_wet; // of the active tiles
     std::vector<std::uint32_t> first;  // of each cell's particles in the swarm
 
@@ -78,6 +78,8 @@ struct WaterScratch {
     Field shift_u, shift_v; // cells on faces: what keeps the volume
     Field rho;              // how full cells are of particles, 1 at rest; 2 in a solid
     Field wet;              // 1 in cells with liquid
+    Field mass;             // of what is in a cell, as a share of the heaviest liquid's
+    Field skin;             // pressure that the surface has by its tension; 0 without
     Field inflow;           // of cells, and what else pressure shall bring about
     Field spread;           // the pressure that moves particles apart
     Press press;

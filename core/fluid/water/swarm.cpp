@@ -99,6 +99,7 @@ Tile tile_of(const Grid& g, std::size_t mark) {
 
 void find_tiles(WaterScratch& s, const Grid& g) {
     const std::size_t tiles = static_cast<std::size_t>(g.stride / 8);
+    s.active.swap(s.active_before);
     s.occupied.clear(), s.active.clear();
     each_marked(s.marked, [&](std::size_t k) {
         if (s.marked[k] == 2) s.occupied.push_back(tile_of(g, k));
