@@ -188,7 +188,7 @@ def test_fast_water_throws_up_foam_that_fades_again() -> None:
     game = game_of()
     water = pour(game, lambda x, y: (x < -2) & (y < 2), foam=2)
     foam = game.scene.waters.alive()[0]._foam
-    game.step(5)
+    game.step(2)
     assert foam.count == 0
     game.step(85)
     assert foam.count > 20

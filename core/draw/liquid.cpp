@@ -1,5 +1,6 @@
 #include "draw/liquid.hpp"
 #include "draw/liquid_steps.hpp"
+#include "draw/liquid_wide.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +13,8 @@ constexpr float kWaver = 2.2f;     // logical points, inside
 constexpr float kBulge = 7.0f;     // texels from the surface in which it bends light
 constexpr float kRimPoints = 2.5f; // logical points that the bright line is wide
 constexpr float kUnder = 0.5f;     // pixels that it goes under walls, so that no seam is seen
-constexpr float kNothing = -3.0f;  // texels outside from which on a texel is never asked for its colours
+constexpr float kNothing = -4.0f;  // texels outside, where it is said of a texel that it is
+constexpr int kLeftOut = 8;        // texels at either end of a row, of the kRound where nothing is seen
 
 struct Extent {
     float left = 1e9f, top = 1e9f, right = -1e9f, bottom = -1e9f;
@@ -57,8 +59,9 @@ bool lay_out(LiquidMap& map, LiquidGrid& grid, LiquidScratch& scratch, const Sea
 struct Wave {
     float across, up, pace, size; // by a particle's spacing, by a second, of all
 };
-constexpr Wave kWaves[] = {{0.50f, 0.12f, 1.7f, 0.5f}, {-0.31f, 0.27f, 1.3f, 0.8f}, {0.13f, -0.55f, 2.1f, 0.5f}};
-constexpr std::size_t kWaveCount = std::size(kWaves);
+constexpr Wave kWaveTable[] = {{0.50f, 0.12f, 1.7f, 0.5f}, {-0.31f, 0.27f, 1.3f, 0.8f}, {0.13f, -0.55f, 2.1f, 0.5f}};
+constexpr std::size_t kWaveCount = std::size(kWaveTable);
+static_assert(kWaveCount == kWaves);
 
 void find_waves(LiquidScratch& scratch, const LiquidGrid& grid, const Sea& sea, const LiquidView& view) {
     const std::size_t width = grid.stride, height = static_cast<std::size_t>(grid.height), all = width + height;
@@ -66,7 +69,7 @@ void find_waves(LiquidScratch& scratch, const LiquidGrid& grid, const Sea& sea, 
     const Affine& m = grid.to_texel;
     const double det = static_cast<double>(determinant(m));
     for (std::size_t k = 0; k < kWaveCount; ++k) {
-        const Wave& wave = kWaves[k];
+        const Wave& wave = kWaveTable[k];
         const double kx = wave.across / sea.spacing * 0.5, ky = wave.up / sea.spacing * 0.5;
         const double along = (kx * m.d - ky * m.b) / det, down = (ky * m.a - kx * m.c) / det; // a texel, by the inverse
         const double origin = wave.pace * view.time - along * m.tx - down * m.ty;
@@ -82,52 +85,9 @@ void find_waves(LiquidScratch& scratch, const LiquidGrid& grid, const Sea& sea, 
     }
 }
 
-Vec2 waver(const LiquidScratch& scratch, const LiquidGrid& grid, std::size_t x, std::size_t y) {
-    const std::size_t width = grid.stride, all = width + static_cast<std::size_t>(grid.height);
-    Vec2 sum{};
-    for (std::size_t k = 0; k < kWaveCount; ++k) {
-        const float* sines = scratch.waves.data() + 2 * k * all;
-        const float sx = sines[x], cx = sines[all + x], sy = sines[width + y], cy = sines[all + width + y];
-        sum = sum + kWaves[k].size * Vec2{sx * cy + cx * sy, cx * cy - sx * sy};
-    }
-    return sum;
-}
-
-struct Colours {
-    float part[6];
-};
-
-Colours between(const LiquidTable& table, float darkness) {
-    const float at = darkness * static_cast<float>(kLiquidTable - 1);
-    const std::size_t low = std::min(static_cast<std::size_t>(at), static_cast<std::size_t>(kLiquidTable - 2));
-    const float t = at - static_cast<float>(low);
-    Colours result{};
-    for (std::size_t c = 0; c < 6; ++c) result.part[c] = table[low][c] + t * (table[low + 1][c] - table[low][c]);
-    return result;
-}
-
-// Where liquids meet, each has its share of the colours.
-Colours colours_at(const LiquidScratch& scratch, const LiquidLook& look, std::size_t at, float darkness) {
-    Colours sum = between(look.tables[0], darkness);
-    const float all = scratch.weight[at];
-    if (scratch.shares.empty() || !(all > 1e-4f)) return sum;
-    float first = 1.0f;
-    Colours others{};
-    for (std::size_t k = 0; k < scratch.shares.size(); ++k) {
-        const float share = std::clamp(scratch.shares[k][at] / all, 0.0f, 1.0f);
-        if (share == 0.0f) continue;
-        const Colours one = between(look.tables[k + 1], darkness);
-        for (std::size_t c = 0; c < 6; ++c) others.part[c] += share * one.part[c];
-        first -= share;
-    }
-    first = std::max(first, 0.0f);
-    for (std::size_t c = 0; c < 6; ++c) sum.part[c] = first * sum.part[c] + others.part[c];
-    return sum;
-}
-
 struct Shading { // what does not change over the map
     const LiquidLook& look;
-    const LiquidScratch& scratch;
+    LiquidScratch& scratch;
     const LiquidGrid& grid;
     const LiquidDepths& depths;
     Affine to_cell; // from a texel's middle
@@ -135,40 +95,59 @@ struct Shading { // what does not change over the map
     float lens, waver;
 };
 
-void shade_texel(LiquidMap& map, const Shading& s, std::size_t x, std::size_t y, std::size_t at, float inside) {
-    const std::vector<float>& depth = s.scratch.smooth;
-    const std::size_t stride = s.grid.stride;
-    const std::size_t left = x > 0 ? at - 1 : at, right = x + 1 < static_cast<std::size_t>(s.grid.width) ? at + 1 : at;
-    const std::size_t above = y > 0 ? at - stride : at;
-    const std::size_t below = y + 1 < static_cast<std::size_t>(s.grid.height) ? at + stride : at;
-    const Vec2 slope{0.5f * (depth[right] - depth[left]), 0.5f * (depth[below] - depth[above])}; // inwards
-    const float near = 1.0f - std::clamp(inside / kBulge, 0.0f, 1.0f);
-    const Vec2 wave = waver(s.scratch, s.grid, x, y);
-    const Vec2 away = s.lens * near * near * slope + s.waver * (1.0f - near) * wave;
-    const float steep = std::max(length(slope), 0.2f), towards = -dot(slope, s.up) / steep;
-    const float free = std::clamp(s.scratch.wall[at] - inside + 0.5f, 0.0f, 1.0f); // no line along walls
-    const Vec2 middle{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
-    const Colours colours =
-        colours_at(s.scratch, s.look, at, darkness_at(s.scratch, s.depths, apply(s.to_cell, middle)));
-    map.planes[kAwayX][at] = away.x;
-    map.planes[kAwayY][at] = away.y;
-    const float large = 0.5f + 0.5f * std::min(s.scratch.bulk[at] * 4.0f, 1.0f); // drops are no mere dots of light
-    const float clear = std::min(length_squared(slope), 1.0f); // nor where it goes on behind a solid, and is uncertain
-    map.planes[kRim][at] = s.look.rim * large * free * clear * (0.45f + 0.55f * std::max(towards, -0.6f));
-    for (std::size_t c = 0; c < 6; ++c) map.planes[kThroughRed + c][at] = colours.part[c];
+// The tables as the inner loop wants them: channel by channel.
+void lay_tables(LiquidScratch& scratch, const LiquidLook& look) {
+    scratch.tables.resize(look.tables.size() * 6 * kTones);
+    float* to = scratch.tables.data();
+    for (const LiquidTable& table : look.tables)
+        for (std::size_t c = 0; c < 6; ++c)
+            for (int tone = 0; tone < kTones; ++tone) {
+                const float at = static_cast<float>(tone) * static_cast<float>(kLiquidTable - 1) / (kTones - 1);
+                const std::size_t low =
+                    std::min(static_cast<std::size_t>(at), static_cast<std::size_t>(kLiquidTable - 2));
+                const float t = at - static_cast<float>(low);
+                *to++ = table[low][c] + t * (table[low + 1][c] - table[low][c]);
+            }
 }
 
-void shade(LiquidMap& map, const Shading& s) {
-    for (auto& plane : map.planes) plane.assign(s.grid.size(), 0.0f);
-    for (int y = 0; y < s.grid.height; ++y)
-        for (int x = 0; x < s.grid.width; ++x) {
-            const std::size_t at = static_cast<std::size_t>(y) * s.grid.stride + static_cast<std::size_t>(x);
-            const float inside = s.scratch.smooth[at];
-            const float room = map.step * s.scratch.wall[at] + kUnder;
-            map.planes[kDepth][at] = std::min(map.step * inside, room);
-            if (inside > kNothing)
-                shade_texel(map, s, static_cast<std::size_t>(x), static_cast<std::size_t>(y), at, inside);
-        }
+LiquidShade shade_of(LiquidMap& map, const Shading& s, int y) {
+    const std::size_t stride = static_cast<std::size_t>(s.grid.stride), row = static_cast<std::size_t>(y) * stride;
+    const std::size_t all = stride + static_cast<std::size_t>(s.grid.height);
+    const float* depth = s.scratch.smooth.data() + row;
+    LiquidShade shade{};
+    shade.depth = depth, shade.above = depth - stride, shade.below = depth + stride;
+    shade.wall = s.scratch.wall.data() + row, shade.bulk = s.scratch.bulk.data() + row;
+    shade.weight = s.scratch.weight.data() + row;
+    shade.kinds = static_cast<int>(s.look.tables.size()), shade.tables = s.scratch.tables.data();
+    for (std::size_t k = 0; k < s.scratch.shares.size(); ++k) shade.shares[k + 1] = s.scratch.shares[k].data() + row;
+    for (std::size_t k = 0; k < kWaveCount; ++k) {
+        const float* sines = s.scratch.waves.data() + 2 * k * all;
+        const std::size_t line = stride + static_cast<std::size_t>(y);
+        shade.waves[k] = {sines, sines + all, sines[line], sines[all + line], kWaveTable[k].size};
+    }
+    const Vec2 cell = apply(s.to_cell, {0.5f, static_cast<float>(y) + 0.5f});
+    shade.darkness = s.scratch.darkness.data();
+    shade.cells_across = s.depths.width, shade.cells_down = s.depths.height;
+    shade.cell_x = cell.x - 0.5f, shade.cell_y = cell.y - 0.5f;
+    shade.cell_x_step = s.to_cell.a, shade.cell_y_step = s.to_cell.b;
+    shade.lens = s.lens, shade.waver = s.waver, shade.rim = s.look.rim;
+    shade.step = map.step, shade.under = kUnder, shade.bulge = 1.0f / kBulge;
+    shade.up_x = s.up.x, shade.up_y = s.up.y;
+    for (std::size_t k = 0; k < kLiquidPlanes; ++k) shade.to[k] = map.planes[k].data() + row;
+    return shade;
+}
+
+// The map's rim, where nothing is seen, is left out.
+void shade(LiquidMap& map, const Shading& s, InstructionSet set) {
+    for (auto& plane : map.planes) plane.resize(s.grid.size());
+    std::vector<float>& depth = map.planes[kDepth];
+    for (int y = 0; y < s.grid.height; ++y) {
+        const auto row = depth.begin() + static_cast<std::ptrdiff_t>(y) * s.grid.stride;
+        const bool rim = y == 0 || y + 1 == s.grid.height;
+        std::fill(row, row + (rim ? s.grid.stride : kLeftOut), kNothing * map.step);
+        std::fill(row + s.grid.width - kLeftOut, row + s.grid.stride, kNothing * map.step);
+        if (!rim) EVIL_PICK(set, shade_liquid_wide)(shade_of(map, s, y), kLeftOut, s.grid.width - 2 * kLeftOut);
+    }
 }
 
 Affine inverse(const Affine& m) {
@@ -198,8 +177,11 @@ bool map_liquid(LiquidMap& map, LiquidScratch& scratch, const Sea& sea, const Li
     const Affine to_cell = compose({per, 0, 0, per, -depths.low.x * per, -depths.low.y * per}, inverse(grid.to_texel));
     map.rim_width = std::max(kRimPoints * view.points, 0.6f * map.step);
     map.lit = look.lit;
-    shade(map, {look, scratch, grid, depths, to_cell, up, look.refraction * kLens * view.points,
-                look.refraction * look.waves * kWaver * view.points});
+    const float lens = look.refraction * kLens * view.points,
+                waver = look.refraction * look.waves * kWaver * view.points;
+    lay_tables(scratch, look);
+    shade(map, {look, scratch, grid, depths, to_cell, up, lens, waver}, set);
+    map.reach = static_cast<int>(std::min(1.5f * lens + 2.0f * waver, 4096.0f)) + 2;
     map.width = grid.width;
     map.stride = grid.stride;
     return true;

@@ -59,7 +59,7 @@ struct LiquidScratch {                                            // losing it c
     std::vector<std::vector<float>> means, weights;               // of the pyramid that fills what is hidden by solids
     std::vector<float> air, darkness;                             // coarse, over all of the liquid
     std::vector<std::uint8_t> filled;
-    std::vector<float> waves;
+    std::vector<float> waves, tables;
     light::Casters casters;
 };
 

@@ -91,16 +91,4 @@ LiquidDepths find_depths(LiquidScratch& scratch, const Sea& sea, float clarity, 
     return grid;
 }
 
-float darkness_at(const LiquidScratch& scratch, const LiquidDepths& grid, Vec2 cell) {
-    const float x = std::clamp(cell.x - 0.5f, 0.0f, static_cast<float>(grid.width - 1));
-    const float y = std::clamp(cell.y - 0.5f, 0.0f, static_cast<float>(grid.height - 1));
-    const int left = static_cast<int>(x), top = static_cast<int>(y);
-    const int right = std::min(left + 1, grid.width - 1), bottom = std::min(top + 1, grid.height - 1);
-    const float fx = x - static_cast<float>(left), fy = y - static_cast<float>(top);
-    const auto at = [&](int i, int j) { return scratch.darkness[static_cast<std::size_t>(j) * grid.width + i]; };
-    const float above = at(left, top) + fx * (at(right, top) - at(left, top));
-    const float below = at(left, bottom) + fx * (at(right, bottom) - at(left, bottom));
-    return above + fy * (below - above);
-}
-
 } // namespace evil::draw

@@ -28,9 +28,10 @@ enum LiquidPlane : std::uint8_t { // of a map
 
 struct LiquidMap {
     int width = 0, height = 0, stride = 0; // texels; rows may be read in eights
-    float step = 1.0f;                     // pixels from texel to texel
+    float step = 2.0f;                     // pixels from texel to texel, two at the least
     Vec2 first;             // pixels: where the middle of the first texel lies, which may be outside the picture
     float rim_width = 1.0f; // pixels
+    int reach = 0;          // pixels: nothing is displaced farther
     bool lit = false;       // its own colour is multiplied with the light map, where that is on
     std::array<std::vector<float>, kLiquidPlanes> planes; // rows from the top
 };

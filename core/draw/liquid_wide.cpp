@@ -49,4 +49,64 @@ void join_wide(const float* sharp, const float* smooth, const float* bulk, float
     }
 }
 
+static EVIL_INLINE Floats darkness_of(const draw::LiquidShade& row, Floats column) {
+    const Floats x = clamp(column * row.cell_x_step + row.cell_x, 0.0f, static_cast<float>(row.cells_across - 1));
+    const Floats y = clamp(column * row.cell_y_step + row.cell_y, 0.0f, static_cast<float>(row.cells_down - 1));
+    const Ints left = to_int(x), top = to_int(y), right = min(left + 1, Ints(row.cells_across - 1));
+    const Ints above = top * row.cells_across, below = min(top + 1, Ints(row.cells_down - 1)) * row.cells_across;
+    const Floats across = x - to_float(left), down = y - to_float(top);
+    const auto between = [&](Ints line) {
+        const Floats a = gather(row.darkness, line + left);
+        return a + (gather(row.darkness, line + right) - a) * across;
+    };
+    const Floats high = between(above);
+    return high + (between(below) - high) * down;
+}
+
+// Where liquids meet, each has its share of the colours.
+static EVIL_INLINE void put_colours(const draw::LiquidShade& row, int i, Floats darkness) {
+    const Ints tone = round_to_int(darkness * static_cast<float>(draw::kTones - 1));
+    const Floats per = Floats(1.0f) / max(load(row.weight + i), 1e-4f);
+    Floats sums[6], first(1.0f);
+    for (Floats& sum : sums) sum = 0.0f;
+    for (int kind = 1; kind < row.kinds; ++kind) {
+        const Floats share = clamp(load(row.shares[kind] + i) * per, 0.0f, 1.0f);
+        if (!any(share > 0.0f)) continue;
+        first -= share;
+        for (int c = 0; c < 6; ++c) sums[c] += gather(row.tables + (6 * kind + c) * draw::kTones, tone) * share;
+    }
+    first = max(first, 0.0f);
+    for (int c = 0; c < 6; ++c) store(row.to[4 + c] + i, sums[c] + gather(row.tables + c * draw::kTones, tone) * first);
+}
+
+void shade_liquid_wide(const draw::LiquidShade& row, int first_texel, int count) noexcept {
+    for (int i = first_texel; i < first_texel + count; i += kLanes) {
+        const Floats inside = load(row.depth + i), wall = load(row.wall + i);
+        store(row.to[0] + i, min(inside * row.step, wall * row.step + row.under));
+        if (!any(inside > -3.0f)) continue; // nobody asks for its colours
+
+        const Floats slope_x = (load(row.depth + i + 1) - load(row.depth + i - 1)) * 0.5f;
+        const Floats slope_y = (load(row.below + i) - load(row.above + i)) * 0.5f;
+        const Floats near = Floats(1.0f) - clamp(inside * row.bulge, 0.0f, 1.0f);
+        Floats wave_x(0.0f), wave_y(0.0f);
+        for (const auto& wave : row.waves) {
+            const Floats sine = load(wave.sines + i), cosine = load(wave.cosines + i);
+            wave_x += (sine * wave.cosine + cosine * wave.sine) * wave.size;
+            wave_y += (cosine * wave.cosine - sine * wave.sine) * wave.size;
+        }
+        const Floats bend = near * near * row.lens, waver = (Floats(1.0f) - near) * row.waver;
+        store(row.to[1] + i, slope_x * bend + wave_x * waver);
+        store(row.to[2] + i, slope_y * bend + wave_y * waver);
+
+        // The line: brightest where it looks up. Drops are no mere dots of light, walls have none, and where the liquid goes
+        // on behind a solid it is uncertain.
+        const Floats squared = slope_x * slope_x + slope_y * slope_y, steep = max(sqrt(squared), 0.2f);
+        const Floats towards = max((slope_x * row.up_x + slope_y * row.up_y) / steep * -1.0f, -0.6f);
+        const Floats free = clamp(wall - inside + 0.5f, 0.0f, 1.0f);
+        const Floats large = min(load(row.bulk + i) * 4.0f, 1.0f) * 0.5f + 0.5f;
+        store(row.to[3] + i, (towards * 0.55f + 0.45f) * free * large * min(squared, 1.0f) * row.rim);
+        put_colours(row, i, darkness_of(row, to_float(lane_numbers()) + static_cast<float>(i)));
+    }
+}
+
 } // namespace evil::EVIL_ISA

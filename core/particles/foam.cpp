@@ -10,8 +10,8 @@ namespace {
 constexpr float kFull = 4.0f;                // particles of a cell that is full
 constexpr std::size_t kMostCells = 1u << 18; // beyond that cells become larger
 constexpr float kTallFall = 12.0f;           // spacings: who fell so far is fast
-constexpr float kFromTrapped = 14.0f;        // flecks a second of a particle that is fast and traps much air
-constexpr float kFromCrest = 9.0f;           // of one that stands up as a crest
+constexpr float kFromTrapped = 45.0f;        // flecks a second of a particle that is fast and traps much air
+constexpr float kFromCrest = 24.0f;          // of one that stands up as a crest
 constexpr float kDry = 0.22f, kWet = 0.8f;   // share of full cells round a fleck that flies, and of one that rises
 constexpr float kFarthest = 1e9f;            // metres
 
@@ -92,7 +92,7 @@ Round look_round(const Foam& foam, const Grid& grid, Vec2 place) {
 // How many flecks a second a particle throws up. Speeds are told by what falls here.
 float births(const Foam& foam, const Grid& grid, const Waters& waters, std::size_t i, float fast) {
     const Vec2 at = waters.at[i], velocity = waters.velocity[i];
-    const float energy = share(length_squared(velocity), 0.25f * fast * fast, 2.0f * fast * fast);
+    const float energy = share(length_squared(velocity), 0.1f * fast * fast, 1.2f * fast * fast);
     int x, y;
     if (energy == 0.0f || !grid.find(at, x, y)) return 0.0f;
     float trapped = 0.0f, wet = 0.0f;
@@ -109,7 +109,7 @@ float births(const Foam& foam, const Grid& grid, const Waters& waters, std::size
         }
     const float crest = share(wet, 5.5f, 2.0f) * share(dot(normalised(normal), normalised(velocity)), 0.5f, 0.9f);
     return energy *
-           (kFromTrapped * share(trapped, 2.0f * fast, 9.0f * fast) + kFromCrest * crest * share(wet, 0.7f, 1.5f));
+           (kFromTrapped * share(trapped, 1.2f * fast, 6.0f * fast) + kFromCrest * crest * share(wet, 0.7f, 1.5f));
 }
 
 void bear(Foam& foam, const Grid& grid, const Waters& waters, float fast, float amount, float dt) {
@@ -125,7 +125,7 @@ void bear(Foam& foam, const Grid& grid, const Waters& waters, float fast, float 
             fleck.velocity = waters.velocity[i] + 0.15f * fast * kick;
             const float size = chance(foam.random);
             fleck.size = size * size;
-            fleck.life = fleck.whole = 0.5f + 1.8f * fleck.size + 0.8f * chance(foam.random);
+            fleck.life = fleck.whole = 0.7f + 2.2f * fleck.size + 1.2f * chance(foam.random);
             foam.flecks.push_back(fleck);
         }
     }

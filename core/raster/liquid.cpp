@@ -50,11 +50,13 @@ void find_columns(const LiquidMap& map, Span span, LiquidScratch& scratch) {
 
 void mix_rows(const LiquidMap& map, const Place& place, std::size_t stride, float* texels, Set set) {
     const Cubic weights = cubic(place.part);
-    const Cubic linear{{0.0f, 1.0f - place.part, place.part, 0.0f}};
     for (std::size_t plane = 0; plane < draw::kLiquidPlanes; ++plane) {
-        const float* first = map.planes[plane].data() + static_cast<std::size_t>(place.first - 1) * stride;
-        EVIL_PICK(set, mix_texels_wide)
-        (first, stride, (plane == draw::kDepth ? weights : linear).part, texels + plane * stride, map.width);
+        const float* row = map.planes[plane].data() + static_cast<std::size_t>(place.first) * stride;
+        float* to = texels + plane * stride;
+        if (plane == draw::kDepth)
+            EVIL_PICK(set, mix_four_wide)(row - stride, stride, weights.part, to, map.width);
+        else
+            EVIL_PICK(set, mix_two_wide)(row, stride, place.part, to, map.width);
     }
 }
 
@@ -67,16 +69,17 @@ void draw_liquid(const LiquidMap& map, const Target& target, LightRows* light, L
     const std::size_t stride = static_cast<std::size_t>(map.stride);
     const std::size_t width = static_cast<std::size_t>(target.width);
     find_columns(map, across, scratch);
-    scratch.texels.resize(stride * draw::kLiquidPlanes);
+    scratch.texels.resize(stride * draw::kLiquidPlanes + 8);
     scratch.behind.resize(width * static_cast<std::size_t>(target.height));
-    for (int y = 0; y < target.height; ++y) std::copy_n(row_of(target, y), width, &scratch.behind[width * y]);
 
     const std::size_t room = scratch.column.size();
     LiquidRow row{};
     for (std::size_t k = 0; k < draw::kLiquidPlanes; ++k) row.planes[k] = scratch.texels.data() + k * stride;
     for (std::size_t k = 0; k < 4; ++k) row.cubic[k] = scratch.cubic.data() + k * room;
     row.column = scratch.column.data(), row.part = scratch.part.data();
-    row.behind = scratch.behind.data(), row.width = target.width, row.height = target.height;
+    row.behind = scratch.behind.data(), row.width = target.width;
+    row.top = std::max(down.from - map.reach, 0), row.bottom = std::min(down.to + map.reach, target.height);
+    for (int y = row.top; y < row.bottom; ++y) std::copy_n(row_of(target, y), width, &scratch.behind[width * y]);
     row.rim = 1.0f / map.rim_width;
     for (row.y = down.from; row.y < down.to; ++row.y) {
         mix_rows(map, place_of(row.y, map.first.y, map.step), stride, scratch.texels.data(), set);

@@ -23,7 +23,7 @@ struct LiquidRow { // what the inner loop is told of one row of pixels
     const float* cubic[4];
     const std::uint32_t* light; // null, or factors of 10 bits a channel, 512 for one
     const Pixel* behind;
-    int width, height; // of what lies behind
+    int width, top, bottom; // of what lies behind: pixels a row, and which rows
     int y;
     float rim; // one over the width of the bright line
 };
