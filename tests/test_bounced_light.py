@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 from lighting import GAMMA, light_of, lit_game
+from surfaces import normal_colour, plain
 
 import evilengine as evil
 from evilengine import _core
@@ -127,6 +130,24 @@ def test_pictures_of_any_shape_have_bounced_light(size):
     game, _ = yard(size=size)
     light, _ = light_of(game)
     assert np.isfinite(light).all()
+
+
+@pytest.mark.parametrize("turn", [0, 1, 2, 3])
+def test_bumps_face_the_walls_that_send_light_on(tmp_path, turn):
+    """A lit wall beside a floor that the lamp itself does not reach: slopes that face it are the brighter ones."""
+    for name, x in (("near", 0.7), ("far", -0.7)):
+        plain(tmp_path / f"{name}.png", normal_colour(*evil.Vec2(x, 0.0).turned(turn * math.pi / 2)))
+    game = evil.Game(size=(240, 240), headless=True, renderer="soft", gravity=(0, 0), folder=tmp_path)
+    game.lights.quality, game.ambient = "high", 0
+    around = evil.Vec2(1.0, 0.0).turned(turn * math.pi / 2)
+    side = around.turned(math.pi / 2)
+    game.add(evil.Rectangle(0.3, 6), at=around * 2, angle=turn * math.pi / 2, kind="static", colour="white", lit=True)
+    game.add_light(at=around * 1.6 + side * 1.5, direction=around, cone=2.5, radius=3, intensity=3)
+    shown = {}
+    for name in ("near", "far", None):
+        game.draw(evil.Rectangle(4, 4), normal_map=name and f"{name}.png", colour="white", lit=True, outline=False)
+        shown[name] = int(game.capture().pixels[120, 120, 0])
+    assert shown["near"] > shown[None] + 10 > shown["far"] + 20
 
 
 def test_how_much_bodies_send_on_is_saved_with_the_game():

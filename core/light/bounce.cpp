@@ -104,13 +104,20 @@ void add_bounced(Bounce& bounce, const BounceMap& map, const BounceLook& look, c
     take_in(bounce, map, look);
     const Sky sky{look.ambient, std::max(look.reach, 1.0f)};
     const std::size_t row = static_cast<std::size_t>(bounce.cells.width);
-    bounce.planes.resize(3 * row * bounce.cells.height);
-    float* all = bounce.planes.data();
-    float* const planes[3] = {all, all + row * bounce.cells.height, all + 2 * row * bounce.cells.height};
-    spread(bounce.cascades, bounce.cells, sky, planes, bounce.cells.width, world.threads, world.instruction_set);
+    const std::size_t found_plane = row * bounce.cells.height, start = beyond(map.top) * row + beyond(map.left);
+    bounce.planes.resize((map.across ? 9 : 3) * found_plane);
+    Found found{{}, {}, {}, bounce.cells.width};
     for (int c = 0; c < 3; ++c) {
-        const float* from = planes[c] + beyond(map.top) * row + beyond(map.left);
-        add_found(bounce, map, from, row, look.ambient[c], map.shaded + c * plane);
+        found.light[c] = bounce.planes.data() + c * found_plane;
+        if (map.across)
+            found.across[c] = found.light[c] + 3 * found_plane, found.down[c] = found.light[c] + 6 * found_plane;
+    }
+    spread(bounce.cascades, bounce.cells, sky, found, world.threads, world.instruction_set);
+    for (int c = 0; c < 3; ++c) {
+        add_found(bounce, map, found.light[c] + start, row, look.ambient[c], map.shaded + c * plane);
+        if (!map.across) continue;
+        add_found(bounce, map, found.across[c] + start, row, 0.0f, map.across + c * plane);
+        add_found(bounce, map, found.down[c] + start, row, 0.0f, map.down + c * plane);
     }
 }
 

@@ -17,7 +17,7 @@ struct Bounce {                // scratch
     std::vector<Rgb> colours;  // by body slot: what share of light it sends back
     Glowing glowing;
     std::vector<std::uint32_t> bodies; // by texel: the body's slot, after those what glows, and kNone in the air
-    std::vector<float> planes;         // red, green, blue
+    std::vector<float> planes;         // red, green, blue; and the ways that each comes from
     Cells cells;
     Cascades cascades;
 };
@@ -30,10 +30,11 @@ struct BounceLook {
 
 struct BounceMap { // its texels; planes of red, green and blue one after another
     int width, height, stride;
-    Affine from_pixel; // of the picture, to texels
-    int left, top;     // of the world's texels, the first one's number: where cascades begin follows from that
-    const float* open; // light of lamps that shine through everything, and the ambient light
-    float* shaded;     // that of the others
+    Affine from_pixel;    // of the picture, to texels
+    int left, top;        // of the world's texels, the first one's number: where cascades begin follows from that
+    const float* open;    // light of lamps that shine through everything, and the ambient light
+    float* shaded;        // that of the others
+    float *across, *down; // the ways that theirs comes from, right and down; none where nothing has normals
 };
 
 // What bodies look like in even white light, of their drawings' colours the one in front; and what glows.

@@ -9,7 +9,8 @@ namespace {
 // Levels: the last one has rays of 64 cells in 256 directions. Further on, light keeps to the cones that it is in; what a
 // level more would show is shadows of far, small things in light that is soft anyway.
 constexpr int kTop = 5;
-constexpr std::size_t kGrain = 8; // rows of cells that a thread takes at a time
+constexpr std::size_t kGrain = 8;         // rows of cells that a thread takes at a time
+constexpr float kQuarterWay = 0.9003163f; // 2 sqrt(2) / pi: the mean of the unit vectors in a quarter of all directions
 
 struct Quarter { // of all directions, rays going from row 0 to the last
     const Cells& cells;
@@ -152,9 +153,9 @@ void gather(Cascades& scratch, const Quarter& q, const Levels& levels, int n, co
     });
 }
 
-// Adds what comes from a quarter of all directions to three planes of rows.
+// Adds what comes from a quarter of all directions to three planes of rows, and to those of a lean if there are any.
 void add_quarter(Cascades& scratch, const Cells& cells, bool backward, const Sky& sky, std::vector<float>& result,
-                 Threads& threads, InstructionSet set) {
+                 std::vector<float>& lean, Threads& threads, InstructionSet set) {
     const Quarter q = quarter_of(cells, backward);
     const Levels levels(q);
     scratch.rays.resize(levels.first[q.top + 1] * 4 * q.stride);
@@ -169,8 +170,13 @@ void add_quarter(Cascades& scratch, const Cells& cells, bool backward, const Sky
         for (int c = 0; c < 3; ++c) {
             const float* from = cone_row(scratch.cones[0], q, 0, row, 0) + c * q.stride;
             const int at = backward ? q.rows - 1 - row : row;
-            float* to = result.data() + (static_cast<std::size_t>(c) * q.rows + at) * q.stride;
+            const std::size_t first = (static_cast<std::size_t>(c) * q.rows + at) * q.stride;
+            float* to = result.data() + first;
             for (int x = 0; x < q.width; ++x) to[x] += from[x];
+            if (lean.empty()) continue;
+            to = lean.data() + first;
+            const float way = backward ? -kQuarterWay : kQuarterWay;
+            for (int x = 0; x < q.width; ++x) to[x] += way * from[x];
         }
 }
 
@@ -196,7 +202,7 @@ void turn(Cells& turned, const Cells& cells) {
 
 } // namespace
 
-void spread(Cascades& scratch, const Cells& cells, const Sky& sky, float* const planes[3], int stride, Threads& threads,
+void spread(Cascades& scratch, const Cells& cells, const Sky& sky, const Found& found, Threads& threads,
             InstructionSet set) {
     const int width = cells.width, height = cells.height;
     turn(scratch.turned, cells);
@@ -204,7 +210,9 @@ void spread(Cascades& scratch, const Cells& cells, const Sky& sky, float* const 
     for (int way = 0; way < 2; ++way) {
         std::vector<float>& result = scratch.results[way];
         result.assign(3 * static_cast<std::size_t>((ways[way]->width + 7) / 8 * 8) * ways[way]->height, 0.0f);
-        for (const bool backward : {false, true}) add_quarter(scratch, *ways[way], backward, sky, result, threads, set);
+        scratch.leans[way].assign(found.across[0] ? result.size() : 0, 0.0f);
+        for (const bool backward : {false, true})
+            add_quarter(scratch, *ways[way], backward, sky, result, scratch.leans[way], threads, set);
     }
     const std::size_t straight = static_cast<std::size_t>((width + 7) / 8 * 8),
                       turned = static_cast<std::size_t>((height + 7) / 8 * 8);
@@ -212,7 +220,14 @@ void spread(Cascades& scratch, const Cells& cells, const Sky& sky, float* const 
         const float* one = scratch.results[0].data() + c * straight * height;
         const float* other = scratch.results[1].data() + c * turned * width;
         each_turned(width, height, [&](int x, int y) {
-            planes[c][static_cast<std::size_t>(y) * stride + x] = one[y * straight + x] + other[x * turned + y];
+            found.light[c][static_cast<std::size_t>(y) * found.stride + x] =
+                one[y * straight + x] + other[x * turned + y];
+        });
+        if (!found.across[0]) continue;
+        one = scratch.leans[0].data() + c * straight * height, other = scratch.leans[1].data() + c * turned * width;
+        each_turned(width, height, [&](int x, int y) {
+            const std::size_t at = static_cast<std::size_t>(y) * found.stride + x;
+            found.down[c][at] = one[y * straight + x], found.across[c][at] = other[x * turned + y];
         });
     }
 }

@@ -54,11 +54,18 @@ struct Cascades { // scratch
     std::array<std::vector<float>, 2> cones;   // two levels: by row, cone and colour, a row of cells
     std::vector<float> angles;                 // share of all directions, of cone i of level n at 2^n + i
     std::array<std::vector<float>, 2> results; // of the two ways of turning
+    std::array<std::vector<float>, 2> leans;   // what comes from ahead less what comes from behind
 };
 
-// The light in the air of each cell that comes from surfaces and from the sky, into three planes of `stride` wide rows.
-// Solid cells get what one would see that stood in them.
-void spread(Cascades& scratch, const Cells& cells, const Sky& sky, float* const planes[3], int stride, Threads& threads,
+// Three planes each, of `stride` wide rows: the light, and the ways that it comes from, right and down, if they are asked for.
+struct Found {
+    float *light[3], *across[3], *down[3];
+    int stride;
+};
+
+// The light in the air of each cell that comes from surfaces and from the sky. Solid cells get what one would see that
+// stood in them.
+void spread(Cascades& scratch, const Cells& cells, const Sky& sky, const Found& found, Threads& threads,
             InstructionSet set);
 
 } // namespace evil::light

@@ -215,7 +215,7 @@ void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& 
         if (look.quality == Quality::high)
             add_bounced(scratch.bounce,
                         {grid.stride, grid.height, grid.stride, from_pixel, grid.left, grid.top, open.light[0],
-                         shaded.light[0]},
+                         shaded.light[0], shaded.across[0], shaded.down[0]},
                         {ambient, look.bounce, look.shade * grid.scale}, scratch.casters, world);
         const int reach = std::clamp(static_cast<int>(std::lround(look.depth * grid.scale)), 1, grid.width);
         add_shaded(scratch, grid, reach, open, shaded, look.directed, world.threads);

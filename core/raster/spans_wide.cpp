@@ -99,6 +99,47 @@ EVIL_INLINE std::int32_t last_lane(Ints a) {
 #endif
 }
 
+struct Held { // along one axis: the first of two texels side by side, and where between them, 0..256: at 256 it is the second
+    Ints first, between;
+};
+
+EVIL_INLINE Held hold(Ints position, int size) { // what lies beyond the first and the last texel is like those
+    Ints at = position >> 16, last(size - 1);
+    Ints between = select(last > at, shift_right_unsigned(position, 8) & 255, Ints(256));
+    return {min(max(at, Ints(0)), last - 1), select(Ints(0) > at, Ints(0), between)};
+}
+
+// texels[index] and texels[index + 1] in each lane: half as many loads as two gathers.
+EVIL_INLINE void gather_pairs(const Pixel* texels, Ints index, Ints& first, Ints& second) {
+    std::int32_t at[kLanes];
+    store(at, index);
+#if EVIL_WIDTH == 8
+    const auto two = [&](int lane) {
+        const __m128i low = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(texels + at[lane]));
+        const __m128i high = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(texels + at[lane + 1]));
+        return _mm_unpacklo_epi64(low, high);
+    };
+    const auto four = [&](int lane) { // of lanes lane, lane + 1, lane + 4, lane + 5
+        return _mm256_castsi256_ps(_mm256_set_m128i(two(lane + 4), two(lane)));
+    };
+    const __m256 a = four(0), b = four(2);
+    first.part[0] = __builtin_bit_cast(native::I, _mm256_shuffle_ps(a, b, 0x88));
+    second.part[0] = __builtin_bit_cast(native::I, _mm256_shuffle_ps(a, b, 0xdd));
+#else
+    std::uint32_t low[kLanes], high[kLanes];
+    for (int i = 0; i < kLanes; ++i) low[i] = texels[at[i]], high[i] = texels[at[i] + 1];
+    first = load(low), second = load(high);
+#endif
+}
+
+EVIL_INLINE Ints sample_held(const raster::Walk& walk, Ints u, Ints v) {
+    Held x = hold(u, walk.width), y = hold(v, walk.height);
+    Ints at = y.first * walk.width + x.first, a, b, c, d;
+    gather_pairs(walk.texels, at, a, b);
+    gather_pairs(walk.texels + walk.width, at, c, d);
+    return bilinear(a, b, c, d, x.between, y.between);
+}
+
 EVIL_INLINE Ints sample_eight(const raster::Walk& walk, Ints u, Ints v) {
     const Ints width(walk.width), height(walk.height);
     Taps x = taps(u, width, walk.repeat), y = taps(v, height, walk.repeat);
@@ -250,7 +291,10 @@ void sample_wide(Pixel* to, int count, const raster::Walk& walk) noexcept {
     }
     Ints u = lanes_from(walk.u, walk.du), v = lanes_from(walk.v, walk.dv);
     const Ints du(static_cast<std::int32_t>(walk.du << 3)), dv(static_cast<std::int32_t>(walk.dv << 3));
-    for (int i = 0; i < count; i += 8, u = u + du, v = v + dv) store(to + i, sample_eight(walk, u, v));
+    if (!walk.repeat && walk.width > 1 && walk.height > 1)
+        for (int i = 0; i < count; i += 8, u = u + du, v = v + dv) store(to + i, sample_held(walk, u, v));
+    else
+        for (int i = 0; i < count; i += 8, u = u + du, v = v + dv) store(to + i, sample_eight(walk, u, v));
 }
 
 void modulate_wide(Pixel* row, const Pixel* by, int count) noexcept {

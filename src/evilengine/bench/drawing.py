@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import tempfile
@@ -148,9 +149,20 @@ def _ratios(times: dict[str, Times]) -> Numbers:
 
 
 def first_frame(renderer: str) -> float:
-    """Seconds from the start of a process until it has drawn the first frame of a level."""
+    """Seconds from the start of a process until it has drawn the first frame of a level.
+
+    The least of three, once the engine's modules are compiled, as they are where it was installed.
+    """
+    with tempfile.TemporaryDirectory() as compiled:
+        known = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+        place = {**known, "PYTHONPYCACHEPREFIX": compiled}
+        return min([_first_frame(renderer, place) for _ in range(4)][1:])
+
+
+def _first_frame(renderer: str, environment: dict[str, str]) -> float:
     start = time.time()
-    done = subprocess.run([sys.executable, "-c", FIRST_FRAME, renderer], capture_output=True, text=True, check=False)
+    command = [sys.executable, "-c", FIRST_FRAME, renderer]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise DeviceError(f"{renderer}: {done.stderr.strip().splitlines()[-1]}")
     return float(done.stdout) - start
