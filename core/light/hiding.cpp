@@ -39,22 +39,13 @@ bool surely_hidden(const std::vector<Hiding::Sure>& sure, float from, float to) 
     return false;
 }
 
-// The way from a disc of texels to the lamp.
-struct Way {
-    Vec2 from, along; // of length 1
-    float distance, radius, widening;
-
-    Way(const Lamp& lamp, Vec2 middle, float r) : from(middle), radius(r) {
+struct Way : Strip { // from a disc of texels to the lamp
+    Way(const Lamp& lamp, Vec2 middle, float r) {
+        from = middle, radius = r;
         const Vec2 to = lamp.parallel ? -kFar * lamp.way : lamp.at - middle;
         distance = std::max(length(to), 1e-6f);
         along = (1.0f / distance) * to;
         widening = std::max(lamp.size - r, 0.0f) / distance;
-    }
-    // Whether a caster may hide some of the lamp from the disc: it must come near the strip between the two.
-    bool is_near(const Caster& caster) const {
-        const Vec2 to = caster.middle - from;
-        const float at = std::clamp(dot(to, along), 0.0f, distance), near = caster.radius + radius + at * widening;
-        return length_squared(to - at * along) <= near * near;
     }
     // In front of all of the disc, and before the lamp: then what it hides at most and at least is told from the rim.
     bool is_between(const Caster& caster) const {
@@ -81,21 +72,23 @@ void leave_out_hidden(std::vector<std::uint32_t>& near, Hiding& hiding) {
 
 } // namespace
 
-bool may_hide(const Lamp& lamp, const Caster& caster, Vec2 middle, float radius) {
-    return Way(lamp, middle, radius).is_near(caster);
+void keep_near(std::vector<std::uint32_t>& which, const Lamp& lamp, std::span<const Caster> casters, Vec2 middle,
+               float radius, InstructionSet set) {
+    const Way way(lamp, middle, radius);
+    const int count = static_cast<int>(which.size());
+    which.resize(static_cast<std::size_t>(EVIL_PICK(set, keep_near_wide)(way, casters.data(), which.data(), count)));
 }
 
 bool find_what_matters(std::vector<std::uint32_t>& near, Hiding& hiding, std::span<const std::uint32_t> among,
                        const Lamp& lamp, std::span<const Caster> casters, std::span<const Vec2> corners,
                        const Square& square, InstructionSet set) {
-    const Way way(lamp, square.middle(), square.radius());
-    near.clear();
-    for (const std::uint32_t i : among)
-        if (way.is_near(casters[i])) near.push_back(i);
+    near.assign(among.begin(), among.end());
+    keep_near(near, lamp, casters, square.middle(), square.radius(), set);
     if (near.empty() || square.side > kLargest) return true;
     hiding.outlines.resize(near.size());
     EVIL_PICK(set, outline_casters_wide)
     (lamp, casters.data(), near.data(), static_cast<int>(near.size()), corners.data(), square, hiding.outlines.data());
+    const Way way(lamp, square.middle(), square.radius());
     const bool far = way.distance > kTurn * 2.0f * square.half();
     hiding.sure.clear();
     hiding.needed.assign(near.size(), true);

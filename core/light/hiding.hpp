@@ -27,8 +27,9 @@ struct Hiding { // scratch: for whoever works on a square
     std::vector<Hidden> hidden;
 };
 
-// Whether a caster may stand between the lamp and a disc round `middle`: it must come near the strip between the two.
-bool may_hide(const Lamp& lamp, const Caster& caster, Vec2 middle, float radius);
+// Keeps those that may stand between the lamp and a disc round `middle`: they must come near the strip between the two.
+void keep_near(std::vector<std::uint32_t>& which, const Lamp& lamp, std::span<const Caster> casters, Vec2 middle,
+               float radius, InstructionSet set);
 
 // Puts those of `among` that matter into `near`; for small squares without what others hide, and in the order in which they
 // hide the line. False: the square is dark.

@@ -71,7 +71,7 @@ bool to_lamp(Lamp& lamp, const Light& light, const Slide* slide, const Pose& pos
 
 // A lamp shines out of the bodies that it is in.
 void find_casters(Cast& cast, const Light& light, const Casters& all, const Grid& grid,
-                  std::vector<std::uint32_t>& holders, std::vector<std::uint32_t>& housings) {
+                  std::vector<std::uint32_t>& holders, std::vector<std::uint32_t>& housings, InstructionSet set) {
     holders.clear();
     if (!cast.lamp.parallel)
         for (const Caster& caster : all.rows)
@@ -84,9 +84,9 @@ void find_casters(Cast& cast, const Light& light, const Casters& all, const Grid
     for (std::uint32_t i = 0; i < all.rows.size(); ++i) {
         const Caster& caster = all.rows[i];
         if (!(caster.category & light.mask) || caster.body == light.body.slot) continue;
-        if (std::ranges::find(holders, caster.body) != holders.end()) continue;
-        if (may_hide(cast.lamp, caster, middle, radius)) cast.casters.push_back(i);
+        if (std::ranges::find(holders, caster.body) == holders.end()) cast.casters.push_back(i);
     }
+    keep_near(cast.casters, cast.lamp, all.rows, middle, radius, set);
 }
 
 Cast& next(std::vector<Cast>& casts, std::size_t& count) {
@@ -121,7 +121,8 @@ void find_lamps(Scratch& scratch, const Lights& lights, const Look& look, const 
         Cast& cast = shadows ? next(scratch.shaded, scratch.shaded_count) : next(scratch.open, scratch.open_count);
         cast.lamp = lamp, cast.baked = nullptr;
         cast.casters.clear(), cast.moving = 0;
-        if (shadows) find_casters(cast, light, scratch.casters, grid, scratch.holders, scratch.housings);
+        if (shadows)
+            find_casters(cast, light, scratch.casters, grid, scratch.holders, scratch.housings, world.instruction_set);
         if (!light.still) continue;
         if (!still) still = sum_of_still(world, scratch.words);
         const auto standing = std::ranges::stable_partition(

@@ -26,6 +26,7 @@ struct Caster { // convex: `count` corners in order, either way round, or a circ
     std::uint32_t body = 0, category = 1;
     bool still = false; // of a static body
 };
+static_assert(sizeof(Caster) == 8 * sizeof(float), "shade_wide.cpp reads eight at a time");
 
 struct Lamp {
     Vec2 at;            // its middle. Of a sun: unused
@@ -74,6 +75,11 @@ struct Square { // of texels; those below the map's last row are none
     float half() const { return 0.5f * static_cast<float>(side); }
     Vec2 middle() const { return {static_cast<float>(x) + half(), static_cast<float>(y) + half()}; }
     float radius() const { return 1.41421356f * half(); } // to its corners
+};
+
+struct Strip {        // between a disc of texels and a lamp
+    Vec2 from, along; // of length 1
+    float distance, radius, widening;
 };
 
 struct Outline { // of a caster on the lamp's line, over the texels of a square: where it begins and ends

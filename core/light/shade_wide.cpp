@@ -240,6 +240,24 @@ EVIL_INLINE void shine_through(const Lamp& lamp, Points p, Floats light[3]) {
 
 } // namespace
 
+int keep_near_wide(const light::Strip& strip, const Caster* casters, std::uint32_t* which, int count) noexcept {
+    const auto* middles = reinterpret_cast<const float*>(casters);
+    const Floats distance(strip.distance);
+    int kept = 0;
+    for (int i = 0; i < count; i += kLanes) {
+        const int some = count - i < kLanes ? count - i : kLanes;
+        const Ints at = (some == kLanes ? load(which + i) : load_first(which + i, some)) << 3;
+        const Floats x = gather(middles, at) - strip.from.x, y = gather(middles + 1, at) - strip.from.y;
+        const Floats along = clamp(x * strip.along.x + y * strip.along.y, 0.0f, distance);
+        const Floats reach = gather(middles + 2, at) + strip.radius + along * strip.widening;
+        const Floats aside = x - along * strip.along.x, ahead = y - along * strip.along.y;
+        std::int32_t is_near[kLanes];
+        store(is_near, select(aside * aside + ahead * ahead <= reach * reach, Ints(1), Ints(0)));
+        for (int lane = 0; lane < some; ++lane) which[kept] = which[i + lane], kept += is_near[lane];
+    }
+    return kept;
+}
+
 void outline_casters_wide(const Lamp& lamp, const Caster* casters, const std::uint32_t* which, int count,
                           const Vec2* corners, const light::Square& square, light::Outline* outlines) noexcept {
     const float end = static_cast<float>(square.side) - 0.5f, half = 0.5f * static_cast<float>(square.side);

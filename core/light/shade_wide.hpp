@@ -6,6 +6,8 @@ namespace evil {
 
 // clang-format off
 EVIL_WIDE(
+// Keeps those of `count` casters that come near a strip, in their order; returns how many.
+int keep_near_wide(const light::Strip& strip, const light::Caster* casters, std::uint32_t* which, int count) noexcept;
 // Seen from the rim of a square. Where a caster hides nothing, it begins behind its end.
 void outline_casters_wide(const light::Lamp& lamp, const light::Caster* casters, const std::uint32_t* which, int count,
                           const Vec2* corners, const light::Square& square, light::Outline* outlines) noexcept;

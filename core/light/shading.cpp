@@ -108,9 +108,9 @@ struct Work {
                 const Shares kept = shares_of(*cast.baked, patch);
                 if (near.empty()) return add(patch, kept);
                 const Square one{patch.x, patch.y, kPatch};
-                block.both = near;
-                for (const std::uint32_t i : standing())
-                    if (may_hide(cast.lamp, field.casters.rows[i], one.middle(), one.radius())) block.both.push_back(i);
+                block.both.assign(standing().begin(), standing().end());
+                keep_near(block.both, cast.lamp, field.casters.rows, one.middle(), one.radius(), set);
+                block.both.insert(block.both.begin(), near.begin(), near.end());
                 EVIL_PICK(set, shade_kept_wide)
                 (cast.lamp, near_of(block.both), static_cast<int>(near.size()), patch, kept, own());
                 add(patch, own());

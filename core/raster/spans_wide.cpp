@@ -99,7 +99,8 @@ EVIL_INLINE std::int32_t last_lane(Ints a) {
 #endif
 }
 
-struct Held { // along one axis: the first of two texels side by side, and where between them, 0..256: at 256 it is the second
+struct
+    Held { // along one axis: the first of two texels side by side, and where between them, 0..256: at 256 it is the second
     Ints first, between;
 };
 
@@ -140,7 +141,7 @@ EVIL_INLINE Ints sample_held(const raster::Walk& walk, Ints u, Ints v) {
     return bilinear(a, b, c, d, x.between, y.between);
 }
 
-EVIL_INLINE Ints sample_eight(const raster::Walk& walk, Ints u, Ints v) {
+EVIL_INLINE Ints sample_any(const raster::Walk& walk, Ints u, Ints v) {
     const Ints width(walk.width), height(walk.height);
     Taps x = taps(u, width, walk.repeat), y = taps(v, height, walk.repeat);
     Ints above = y.first * width, below = y.second * width;
@@ -158,8 +159,8 @@ void sample_straight(Pixel* to, int count, const raster::Walk& walk, int y) {
         const int x = first + i;
         Ints pixels;
         if (x < 0 || x + 8 >= walk.width)
-            pixels = sample_eight(walk, lanes_from(walk.u + (static_cast<std::uint32_t>(i) << 16), 65536u),
-                                  Ints(static_cast<std::int32_t>(walk.v)));
+            pixels = sample_held(walk, lanes_from(walk.u + (static_cast<std::uint32_t>(i) << 16), 65536u),
+                                 Ints(static_cast<std::int32_t>(walk.v)));
         else if (fx == 0 && fy == 0)
             pixels = load(above + x);
         else
@@ -285,16 +286,15 @@ void ramp_wide(Pixel* to, int count, const raster::Ramp& colours) noexcept {
 
 void sample_wide(Pixel* to, int count, const raster::Walk& walk) noexcept {
     const int row = static_cast<std::int32_t>(walk.v) >> 16;
-    if (!walk.repeat && walk.du == 65536u && walk.dv == 0u && row >= 0 && row < walk.height) {
+    const bool held = !walk.repeat && walk.width > 1 && walk.height > 1;
+    if (held && walk.du == 65536u && walk.dv == 0u && row >= 0 && row < walk.height) {
         sample_straight(to, count, walk, row);
         return;
     }
     Ints u = lanes_from(walk.u, walk.du), v = lanes_from(walk.v, walk.dv);
     const Ints du(static_cast<std::int32_t>(walk.du << 3)), dv(static_cast<std::int32_t>(walk.dv << 3));
-    if (!walk.repeat && walk.width > 1 && walk.height > 1)
-        for (int i = 0; i < count; i += 8, u = u + du, v = v + dv) store(to + i, sample_held(walk, u, v));
-    else
-        for (int i = 0; i < count; i += 8, u = u + du, v = v + dv) store(to + i, sample_eight(walk, u, v));
+    for (int i = 0; i < count; i += 8, u = u + du, v = v + dv)
+        store(to + i, held ? sample_held(walk, u, v) : sample_any(walk, u, v));
 }
 
 void modulate_wide(Pixel* row, const Pixel* by, int count) noexcept {
