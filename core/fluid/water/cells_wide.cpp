@@ -10,6 +10,7 @@ namespace {
 
 constexpr float kHalf = 0.5f;     // of the fullness at rest: there the surface is
 constexpr float kNearest = 10.0f; // cells per distance from a cell's middle to the surface, at most
+constexpr float kDoubt = 0.1f;    // of the fullness: what a cell beside air may seem too full by
 constexpr float kSolid = 2.0f;    // fullness that stands for a solid
 
 // 1 / distance from the middle of a cell with liquid to the surface, towards one without; the edge of the box is half a
@@ -117,13 +118,38 @@ void flow_by_pressure(const CellsView& c, const Tile* tiles, std::size_t count, 
     }
 }
 
+void extend_flow(const CellsView& c, const Tile* tiles, std::size_t count, float* u, float* v) noexcept {
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::ptrdiff_t at = tiles[k].at;
+        auto extend = [&](const float* open, float* flow, std::ptrdiff_t beside) {
+            auto known = [&](std::ptrdiff_t face) {
+                const Mask wet = load(c.wet + face) + load(c.wet + face - beside) > 0.0f;
+                return wet & (load(open + face) > 0.0f);
+            };
+            const Mask open_air = (load(open + at) > 0.0f) & ~known(at);
+            if (!any(open_air)) return;
+            Floats sum(0.0f), number(0.0f);
+            for (std::ptrdiff_t other : {at - 1, at + 1, at - c.stride, at + c.stride}) {
+                const Mask sure = known(other);
+                sum += select(sure, load(flow + other), Floats(0.0f));
+                number += select(sure, Floats(1.0f), Floats(0.0f));
+            }
+            const Mask found = open_air & (number > 0.0f);
+            store(flow + at, select(found, sum / max(number, 1.0f), load(flow + at)));
+        };
+        extend(c.across, u, 1);
+        extend(c.up, v, c.stride);
+    }
+}
+
 void find_crowds(const CellsView& c, const Tile* tiles, std::size_t count, float share, float* crowd) noexcept {
     for (std::size_t k = 0; k < count; ++k) {
         const std::ptrdiff_t at = tiles[k].at;
         const Floats more = clamp(load(c.rho + at) - Floats(1.0f), -0.5f, 0.5f);
-        // beside air nobody knows how much is missing
+        // beside air nobody knows how much is missing, nor quite what is too much
         const Mask sure = load(c.drain + at) == Floats(0.0f);
-        store(crowd + at, load(c.wet + at) * Floats(share) * select(sure, more, max(more, Floats(0.0f))));
+        store(crowd + at,
+              load(c.wet + at) * Floats(share) * select(sure, more, max(more - Floats(kDoubt), Floats(0.0f))));
     }
 }
 

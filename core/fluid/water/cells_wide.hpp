@@ -45,6 +45,9 @@ EVIL_WIDE(void find_inflow_of(const fluid::CellsView& cells, const fluid::Tile* 
 // u and v lose the pressure's gradient.
 EVIL_WIDE(void flow_by_pressure(const fluid::CellsView& cells, const fluid::Tile* tiles, std::size_t count,
                                 const float* p, float* u, float* v) noexcept;)
+// Faces in the air beside those of liquid move as these do: else what is on top would fall into what is below.
+EVIL_WIDE(void extend_flow(const fluid::CellsView& cells, const fluid::Tile* tiles, std::size_t count, float* u,
+                           float* v) noexcept;)
 // What crowds each cell, for the pressure that moves particles apart.
 EVIL_WIDE(void find_crowds(const fluid::CellsView& cells, const fluid::Tile* tiles, std::size_t count, float share,
                            float* crowd) noexcept;)

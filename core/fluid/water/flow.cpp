@@ -8,7 +8,7 @@ namespace {
 
 constexpr float kTolerance = 1e-3f;      // of the divergence, that pressure leaves
 constexpr float kSpreadTolerance = 0.1f; // of the crowding
-constexpr float kSpreadShare = 0.5f;     // of the crowding that one step takes away
+constexpr float kSpreadShare = 0.2f;     // of the crowding that one step takes away
 constexpr int kMostRounds = 60, kMostSpreadRounds = 6;
 
 SwarmView view_of(Swarm& swarm) {
@@ -159,6 +159,7 @@ void press_flow(World& world, Water& water, float dt) {
     s.rounds = s.press.solve(s.inflow, water.pressure, {s.riders, s.reaches}, kTolerance, kMostRounds, set);
     EVIL_PICK(set, flow_by_pressure)(cells, active.data(), active.size(), water.pressure.data(), s.u.data(),
                                      s.v.data());
+    EVIL_PICK(set, extend_flow)(cells, active.data(), active.size(), s.u.data(), s.v.data());
     push_riders(world, water, dt);
     drop_skin(water);
     slide_along(world, water, s.u, s.solids.across(), true);

@@ -9,6 +9,8 @@ namespace {
 
 constexpr float kSkin = 0.1f; // cells that particles keep from walls and bodies
 constexpr std::size_t kSpare = 8;
+constexpr float kMostDrift = 0.2f; // cells a step
+constexpr float kDrift = 0.05f;    // s: how long a drop of one liquid falls in another until it has its speed
 
 struct Limits { // of places, in cells
     float right, top;
@@ -150,12 +152,26 @@ void take_in(const World& world, Water& water) {
     for (std::size_t k = swarm.count; k < swarm.count + kSpare; ++k) swarm.x[k] = swarm.y[k] = 1.0f;
 }
 
+namespace {
+
+// Within a cell all liquids move alike: what is heavier than its cell sinks through what is lighter, in cells.
+Vec2 drift_of(const Water& water, Vec2 gravity, float mass, Vec2 place, float dt) {
+    const WaterScratch& s = *water.scratch;
+    const std::ptrdiff_t at = water.grid.at(static_cast<int>(place.x), static_cast<int>(place.y));
+    if (s.wet[at] == 0.0f) return {};
+    const float heavier = mass / s.mass[at] - 1.0f;
+    return clamped((dt * kDrift * heavier / water.grid.h) * gravity, kMostDrift);
+}
+
+} // namespace
+
 void give_out(const World& world, Water& water, float dt) {
     const Grid& g = water.grid;
     const Limits limits = limits_of(g);
     const Swarm& swarm = water.scratch->swarm;
     const float right = static_cast<float>(g.nx), top = static_cast<float>(g.ny), per_cell = 1.0f / g.h;
     Particles& p = *water.particles;
+    const bool mixed = water.liquids.size() > 1;
     std::size_t to = 0;
     for (std::size_t k = 0; k < swarm.count; ++k) {
         Vec2 place{swarm.x[k], swarm.y[k]}, velocity{swarm.u[k], swarm.v[k]};
@@ -163,6 +179,8 @@ void give_out(const World& world, Water& water, float dt) {
             (water.open[kBottom] && place.y < 0.0f) || (water.open[kTop] && place.y > top))
             continue;
         place = {within(place.x, kSkin, limits.right), within(place.y, kSkin, limits.top)};
+        if (mixed) place += drift_of(water, world.gravity, swarm.mass[k], place, dt);
+        if (mixed) place = {within(place.x, kSkin, limits.right), within(place.y, kSkin, limits.top)};
         if (is_near(water, place.x, place.y)) keep_out(world, water, place, velocity, dt);
         p.positions[2 * to] = g.low.x + g.h * place.x, p.positions[2 * to + 1] = g.low.y + g.h * place.y;
         p.velocities[2 * to] = clamped(velocity.x, kMostSwim),
