@@ -64,7 +64,7 @@ void change_slide(LightsBox& box, std::uint32_t slide, nb::handle pixels, long w
 
 bool collect(LightsBox& box, const SceneBox& scene, World& world, const Matrix6& view, double alpha, int width,
              int height, const light::Rgb& ambient, float strength, float depth, int step, light::Quality quality,
-             float bounce, bool shadows) {
+             float bounce, bool shadows, const std::vector<std::tuple<std::uint32_t, float>>& smokes) {
     draw::DrawList& list = *scene.list;
     bool needed = draw::has_lit_specks(list), directed = false;
     for (const draw::Instance& one : list.instances)
@@ -79,6 +79,10 @@ bool collect(LightsBox& box, const SceneBox& scene, World& world, const Matrix6&
     look.quality = quality;
     look.bounce = bounce;
     look.on = needed, look.directed = directed, look.shadows = shadows;
+    std::vector<light::Smoky> smoky;
+    for (const auto& [slot, shadow] : smokes)
+        if (slot < world.fluids.smoke_slots.size()) smoky.push_back({slot, shadow});
+    look.smokes = smoky;
     if (needed && quality == light::Quality::high) find_colours(box.scratch.bounce, scene.scene, list, world);
     light::compute(list.light, box.scratch, box.lights, look, world, to_affine(view), part_of_step(alpha), width,
                    height);
@@ -236,7 +240,7 @@ void register_light(nb::module_& module) {
           nb::arg("next_serial"), "Become lights in these slots, as new ones are; their references.");
     c.def("collect", &collect, nb::arg("scene"), nb::arg("world"), nb::arg("view"), nb::arg("alpha"), nb::arg("width"),
           nb::arg("height"), nb::arg("ambient"), nb::arg("strength"), nb::arg("depth"), nb::arg("step"),
-          nb::arg("quality"), nb::arg("bounce"), nb::arg("shadows"),
+          nb::arg("quality"), nb::arg("bounce"), nb::arg("shadows"), nb::arg("smokes"),
           "Put the frame's light into the list that the scene collected; whether anything in it is lit.");
     c.def("debug", &debug, nb::arg("scene"), nb::arg("world"), nb::arg("view"), nb::arg("alpha"), nb::arg("points"),
           nb::arg("inks"),

@@ -121,6 +121,7 @@ void find_lamps(Scratch& scratch, const Lights& lights, const Look& look, const 
         Cast& cast = shadows ? next(scratch.shaded, scratch.shaded_count) : next(scratch.open, scratch.open_count);
         cast.lamp = lamp, cast.baked = nullptr;
         cast.casters.clear(), cast.moving = 0;
+        cast.veil.shares.clear();
         if (shadows)
             find_casters(cast, light, scratch.casters, grid, scratch.holders, scratch.housings, world.instruction_set);
         if (!light.still) continue;
@@ -192,6 +193,9 @@ void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& 
     const Grid grid = lay_out(map, view, look.step, width, height);
     gather(scratch.casters, world, grid.to_texel, alpha);
     find_lamps(scratch, lights, look, world, grid, alpha);
+    if (scratch.shaded_count > 0 && find_haze(scratch.haze, look.smokes, world, grid.to_texel, grid.width, grid.height))
+        for (Cast& cast : std::span(scratch.shaded).first(scratch.shaded_count))
+            find_veil(cast.veil, scratch.haze, cast.lamp);
 
     const std::size_t plane = static_cast<std::size_t>(grid.stride) * grid.height;
     const std::size_t planes = look.directed ? 9 : 3;

@@ -21,11 +21,13 @@ struct Look {
     int step = 2;          // pixels a texel
     bool on = false;       // off: nothing is lit
     bool directed = false; // something lit has normals
+    std::span<const Smoky> smokes{}; // that cast shadows
     bool shadows = true;   // false: every lamp shines through everything
 };
 
 struct Scratch { // losing it changes nothing
     Casters casters;
+    Haze haze;
     std::vector<Cast> open, shaded; // lamps without and with shadows
     std::size_t open_count = 0, shaded_count = 0;
     std::vector<Block> blocks;

@@ -64,7 +64,8 @@ struct Work {
     }
 
     void add(const Patch& patch, const Shares& shares) const {
-        EVIL_PICK(set, light_patch_wide)(cast.lamp, patch, shares, to);
+        const bool veiled = !cast.veil.shares.empty() && put_veil(cast.veil, patch, shares, block.veiled);
+        EVIL_PICK(set, light_patch_wide)(cast.lamp, patch, veiled ? Shares{block.veiled, kPatch} : shares, to);
     }
     void shade(const Square& square) const {
         divide(

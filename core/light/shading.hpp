@@ -2,6 +2,7 @@
 // Adds up the light of a frame's lamps: a map is divided into squares, and each lamp's casters with it.
 #include "light/baked.hpp"
 #include "light/casters.hpp"
+#include "light/haze.hpp"
 #include "light/hiding.hpp"
 #include "world.hpp"
 #include <span>
@@ -15,6 +16,7 @@ struct Cast { // a lamp and what may hide it
     Lamp lamp;
     Baked* baked = nullptr; // of one that stands still
     std::vector<std::uint32_t> casters;
+    Veil veil;              // of smoke
     std::size_t moving = 0; // how many of them, the first ones, move: of a lamp that is baked
 };
 
@@ -22,6 +24,7 @@ struct Block { // scratch, for whoever works on one
     Hiding hiding;
     std::vector<std::uint32_t> both; // casters that move, and others
     float shares[kPatch * kPatch];   // of a patch
+    float veiled[kPatch * kPatch];   // the same behind smoke
 };
 
 struct Field {                           // what is lit

@@ -2163,7 +2163,7 @@ class Lights:
     def restore(self, world: World, slots: Sequence[int], serials: Sequence[int], bodies: Sequence[int], next_serial: int) -> list[tuple[int, int]]:
         """Become lights in these slots, as new ones are; their references."""
 
-    def collect(self, scene: Scene, world: World, view: tuple[float, float, float, float, float, float], alpha: float, width: int, height: int, ambient: Sequence[float], strength: float, depth: float, step: int, quality: Quality, bounce: float, shadows: bool) -> bool:
+    def collect(self, scene: Scene, world: World, view: tuple[float, float, float, float, float, float], alpha: float, width: int, height: int, ambient: Sequence[float], strength: float, depth: float, step: int, quality: Quality, bounce: float, shadows: bool, smokes: Sequence[tuple[int, float]]) -> bool:
         """
         Put the frame's light into the list that the scene collected; whether anything in it is lit.
         """

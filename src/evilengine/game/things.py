@@ -153,7 +153,8 @@ class Things:
         `ramp` is a list of its colours from thin to thick, the smoke's own colour unless said; `opacity` how much of
         that a density of 1 shows. Heat shines in the colours of `fire`, from cold to hot, and lights what is round it
         by a lamp that reaches `light_radius` metres (0: none); `glow` is how bright, 0 for no fire at all. Lights fall
-        on it where it is `lit`; it lies in `layer`.
+        on it where it is `lit`, and `shadow` is how much of their light a metre of it takes away at a density of 1, so
+        that what lies behind is darker, and its own far side. It lies in `layer`.
 
         >>> game = evil.Game(headless=True)
         >>> smoke = game.add_smoke((-2, 0, 2, 4), cells=32, ramp=["#0000", "#445a", "#dde"])

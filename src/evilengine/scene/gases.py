@@ -26,7 +26,10 @@ HEAT_SCALE = 0.9
 """Of a temperature of 1, fire shows 1 - exp(-0.9) of its colours: 0.6 of the way to the hottest."""
 
 KINDS = ("smoke", "fire")
-LOOKS = {"ramp": None, "opacity": 2.0, "fire": None, "glow": 1.0, "layer": 0, "lit": True, "light_radius": 8.0}
+LOOKS = {
+    "ramp": None, "opacity": 2.0, "fire": None, "glow": 1.0, "layer": 0, "lit": True, "light_radius": 8.0,
+    "shadow": 1.0,
+}  # fmt: skip
 """What `game.add_smoke` can be told of looks, and what is so unless it is."""
 
 
@@ -51,6 +54,7 @@ class Look:
         self.opacity = number(row["opacity"], owner, "opacity", above=0.0, most=100.0)
         self.glow = number(row["glow"], owner, "glow", least=0.0, most=16.0)
         self.radius = number(row["light_radius"], owner, "light_radius", least=0.0, most=1e4)
+        self.shadow = number(row.get("shadow", LOOKS["shadow"]), owner, "shadow", least=0.0, most=100.0)
         self.light: int | None = row.get("light")
         self.step = -1
         self._tables = [table_of(colours) for colours in self.colours]
@@ -68,7 +72,7 @@ class Look:
         ramp, fire = ([list(colour) for colour in colours] for colours in self.colours)
         return {
             "slot": self.slot, "ramp": ramp, "fire": fire, "opacity": self.opacity, "glow": self.glow,
-            "light_radius": self.radius, "light": self.light,
+            "light_radius": self.radius, "light": self.light, "shadow": self.shadow,
         }  # fmt: skip
 
 
@@ -127,6 +131,10 @@ class Gases:
             light.at = (x, y)
             light.intensity = min(look.glow * strength**0.5, 4.0)
             light.size = max(0.5 * size, 0.05)
+
+    def shadows(self) -> list[tuple[int, float]]:
+        """The smokes that take light away, by their slots, and how much."""
+        return [(each.slot, each.shadow) for each in self._looks if each.shadow > 0.0]
 
     # -- saving --
 

@@ -72,7 +72,7 @@ class Lights:
 
     __slots__ = (
         *("_ambient", "_asked", "_bounce", "_core", "_cost", "_depth", "_images", "_present", "_quality"),
-        *("_shadows", "_slide_names", "_slides", "_world"),
+        *("_shadows", "_smokes", "_slide_names", "_slides", "_world"),
     )
 
     def __init__(self, world: World, images: Loads | None = None) -> None:
@@ -84,6 +84,7 @@ class Lights:
         self._ambient: float | Colour | None = None
         self._depth = 0.8
         self._shadows = True
+        self._smokes: list[tuple[int, float]] = []  # that cast shadows, by slot, and how much
         self._bounce = 1.0
         self._quality = "auto"
         self._present = "medium"
@@ -304,7 +305,7 @@ class Lights:
         start = time.perf_counter()
         lit = self._core.collect(
             scene, self._world._core, view, alpha, *screen, (colour.r, colour.g, colour.b), strength, self._depth,
-            step * max(1, round(scale)), method, self._bounce, self._shadows,
+            step * max(1, round(scale)), method, self._bounce, self._shadows, self._smokes,
         )  # fmt: skip
         return 1e3 * (time.perf_counter() - start) if lit else None
 

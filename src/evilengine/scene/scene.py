@@ -323,6 +323,7 @@ class Scene(Shown):
         self._core.set_layers(self.layers.rows(eye, camera.zoom), self.layers.depth(screen, camera.zoom))
         content = self._core.collect(self.world._core, view, alpha, scale)
         self._collect_layers(view, eye, camera.zoom, alpha, screen, scale)
+        self.lights._smokes = self.gases.shadows()
         self.lights._collect(self._core, into, view, alpha, screen, scale)
         if self.post.on:
             self.post.put(self._core, self.world.steps)
