@@ -13,16 +13,16 @@ enum class Quality : std::uint8_t { low, medium, high }; // hard shadows; soft o
 
 struct Look {
     Quality quality = Quality::medium;
-    Rgb ambient{};         // as on the screen: the light that is everywhere
-    float strength = 1;    // of the ambient light
-    float depth = 0.5f;    // metres that light soaks into bodies
-    float bounce = 1.0f;   // high: how much of the light that falls on them surfaces send on
-    float shade = 2.0f;    // high: metres within which bodies keep ambient light away
-    int step = 2;          // pixels a texel
-    bool on = false;       // off: nothing is lit
-    bool directed = false; // something lit has normals
+    Rgb ambient{};                   // as on the screen: the light that is everywhere
+    float strength = 1;              // of the ambient light
+    float depth = 0.5f;              // metres that light soaks into bodies
+    float bounce = 1.0f;             // high: how much of the light that falls on them surfaces send on
+    float shade = 2.0f;              // high: metres within which bodies keep ambient light away
+    int step = 2;                    // pixels a texel
+    bool on = false;                 // off: nothing is lit
+    bool directed = false;           // something lit has normals
     std::span<const Smoky> smokes{}; // that cast shadows
-    bool shadows = true;   // false: every lamp shines through everything
+    bool shadows = true;             // false: every lamp shines through everything
 };
 
 struct Scratch { // losing it changes nothing
