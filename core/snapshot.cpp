@@ -408,10 +408,11 @@ SavedSlots slots_of(const SavedState& saved) {
             if (taken[i]) list.push_back(i);
         return list;
     };
-    SavedSlots slots{
-        numbers(saved.body_taken),         numbers(saved.shape_taken),         numbers(saved.force_taken),
-        numbers(saved.joint_taken),        numbers(saved.fluids.smoke_taken),  numbers(saved.fluids.source_taken),
-        numbers(saved.fluids.water_taken), numbers(saved.fluids.stream_taken), {}};
+    SavedSlots slots{numbers(saved.body_taken),         numbers(saved.shape_taken),
+                     numbers(saved.force_taken),        numbers(saved.joint_taken),
+                     numbers(saved.fluids.smoke_taken), numbers(saved.fluids.source_taken),
+                     numbers(saved.fluids.water_taken), numbers(saved.fluids.stream_taken),
+                     liquids_of(saved.fluids),          {}};
     for (std::uint32_t shape : slots.shapes) slots.shape_bodies.push_back(saved.shapes.rows[shape].body);
     return slots;
 }

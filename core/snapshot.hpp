@@ -34,7 +34,7 @@ struct ReadSnapshot {
 ReadSnapshot read_snapshot(std::span<const std::uint8_t> bytes);
 std::vector<std::string> notes_of(const SavedState& saved); // of the forces written in Python
 struct SavedSlots {                                         // which are taken
-    std::vector<std::uint32_t> bodies, shapes, forces, joints, smokes, sources, waters, streams;
+    std::vector<std::uint32_t> bodies, shapes, forces, joints, smokes, sources, waters, streams, liquids;
     std::vector<std::uint32_t> shape_bodies; // of each of the shapes, the body that it is on
 };
 SavedSlots slots_of(const SavedState& saved);

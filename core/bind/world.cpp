@@ -243,7 +243,7 @@ void register_world(nb::module_& module) {
     saved.def_prop_ro("slots", [](const Saved& s) {
         const SavedSlots slots = s.state ? slots_of(*s.state) : SavedSlots{};
         return std::tuple(slots.bodies, slots.shapes, slots.forces, slots.joints, slots.smokes, slots.sources,
-                          slots.waters, slots.streams);
+                          slots.waters, slots.streams, slots.liquids);
     });
     saved.def_prop_ro(
         "shape_bodies",

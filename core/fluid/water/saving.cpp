@@ -71,6 +71,14 @@ bool waters_hold_together(const SavedFluids& s, const std::vector<bool>& body_ta
     return true;
 }
 
+std::vector<std::uint32_t> liquids_of(const SavedFluids& s) {
+    std::vector<std::uint32_t> numbers;
+    for (std::uint32_t slot = 0; slot < s.water_taken.size(); ++slot)
+        for (std::uint32_t i = 0; s.water_taken[slot] && i < s.fluids.waters[slot]->liquids.size(); ++i)
+            numbers.push_back(static_cast<std::uint32_t>(fluid::kMostLiquids) * slot + i);
+    return numbers;
+}
+
 void restore_waters(Fluids& now, SavedFluids& saved) {
     Fluids& then = saved.fluids;
     std::vector<bool> waters(saved.water_taken.size()), streams(saved.stream_taken.size());

@@ -55,6 +55,8 @@ void write_waters(auto& ar, const Fluids& all) {
 
 void read_waters(Reader& ar, SavedFluids& saved);
 bool waters_hold_together(const SavedFluids& saved, const std::vector<bool>& body_taken);
+// The numbers of all liquids: kMostLiquids times the slot of their water, and their place in its row.
+std::vector<std::uint32_t> liquids_of(const SavedFluids& saved);
 void restore_waters(Fluids& fluids, SavedFluids& saved);
 
 } // namespace evil

@@ -32,7 +32,7 @@ from evilengine.values.version import VERSION
 from evilengine.world import behaviours
 from evilengine.world import saving as worlds
 from evilengine.world.smoke import Smoke, Source
-from evilengine.world.water import Stream, Water
+from evilengine.world.water import Stream, Water, liquids_of
 
 if TYPE_CHECKING:
     from evilengine.game.game import Game
@@ -148,7 +148,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
     state = json.loads(sections["game"])
     world = _core.Saved(sections["world"])
     worlds.check_notes(game.world, world.notes)
-    bodies, _, forces, joints, smokes, sources, waters, streams = (set(slots) for slots in world.slots)
+    bodies, _, forces, joints, smokes, sources, waters, streams, liquids = map(set, world.slots)
     scene = looks.SceneState(game.scene, sections["drawings"], state["scene"])
     emitters = looks.read_emitters(game.scene, state.get("emitters", []), sections.get("particles", b""), bodies)
     none, body_of = _core.NO_SLOT, dict(zip(world.slots[1], world.shape_bodies, strict=True))
@@ -168,6 +168,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
         "source": sources,
         "water": waters,
         "stream": streams,
+        "liquid": liquids,
         "drawing": scene.slots,
         "text": scene.texts,
         "emitter": emitters.serials,
@@ -226,6 +227,7 @@ def _read(game: Game, sections: Sections) -> Callable[[], None]:
             "smoke": lambda slot: Smoke(game.world, slot),
             "source": lambda slot: Source(game.world, slot),
             "water": lambda slot: Water(game.world, slot),
+            "liquid": lambda number: next(each for each in liquids_of(game.world) if each.number == number),
             "stream": lambda slot: Stream(game.world, slot),
             "drawing": scene.drawing,
             "text": scene.text,

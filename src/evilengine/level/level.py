@@ -19,7 +19,7 @@ from evilengine import script
 from evilengine.level import air, characters, fluids
 from evilengine.level.looks import LOOKS, drawn, move_camera
 from evilengine.level.making import Values
-from evilengine.level.rules import Answers, Consequence, Rounds, Scope, Thing
+from evilengine.level.rules import Answers, Consequence, Made, Rounds, Scope
 from evilengine.script.arithmetic import ArithmeticProblem
 from evilengine.script.tags import Rule, Tags
 from evilengine.script.word import MAX_BODIES, MAX_ROUNDS, OPPOSITES
@@ -28,6 +28,7 @@ from evilengine.values.diagnostics import level_error
 from evilengine.values.errors import ArgumentError, Error, LevelError
 from evilengine.values.level import Block, Called, LevelScript, Number, Tagged
 from evilengine.world.body import Body
+from evilengine.world.liquid import Liquid
 from evilengine.world.world import World
 
 if TYPE_CHECKING:
@@ -176,7 +177,7 @@ class Level(Values):
                 self._set(command, scope)
             case commands.Destroy(target=target):
                 thing = self._thing(target, scope)
-                if thing is not None:
+                if thing is not None and not isinstance(thing, Liquid):
                     thing.destroy()
             case commands.Impulse(target=target, impulse=impulse):
                 body = self._thing(target, scope)
@@ -194,7 +195,7 @@ class Level(Values):
                 self._rule("on_touch", first, None, Consequence(self, command, scope))
             case commands.AddCharacter() | commands.AddLadder() | commands.Tell() | commands.Drive():
                 characters.carry_out(self, command, scope)
-            case commands.AddSmoke() | commands.AddSource():
+            case _ if isinstance(command, commands.Fluid):
                 fluids.carry_out(self, command, scope)
             case _:
                 if self.game is not None:
@@ -269,7 +270,7 @@ class Level(Values):
         self._enough()
         return False
 
-    def _made_thing(self, thing: Thing, name: str, scope: Scope) -> None:
+    def _made_thing(self, thing: Made, name: str, scope: Scope) -> None:
         self._on_failure(lambda: thing.alive and thing.destroy())
         if not isinstance(thing, Body):
             self._others.append(thing)

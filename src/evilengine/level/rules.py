@@ -14,9 +14,12 @@ if TYPE_CHECKING:
     from evilengine.level.level import Level
     from evilengine.scene import Drawing, Emitter, Light, Text
     from evilengine.timer import Event
+    from evilengine.world.liquid import Liquid
     from evilengine.world.smoke import Smoke, Source
+    from evilengine.world.water import Stream, Water
 
-Thing: TypeAlias = "Body | Drawing | Emitter | Force | Joint | Light | Smoke | Source | Text"
+Made: TypeAlias = "Body | Drawing | Emitter | Force | Joint | Light | Smoke | Source | Stream | Text | Water"
+Thing: TypeAlias = "Made | Liquid"
 
 
 class Gone:

@@ -22,6 +22,7 @@ from evilengine.values.errors import SaveError
 from evilengine.world.body import Body
 from evilengine.world.forces import Force
 from evilengine.world.joints import Joint
+from evilengine.world.liquid import Liquid
 from evilengine.world.smoke import Smoke, Source
 from evilengine.world.water import Stream, Water
 
@@ -61,6 +62,8 @@ def reference(thing: object) -> Reference:
             return ["source", thing.slot]
         case Water(alive=True):
             return ["water", thing.slot]
+        case Liquid(alive=True):
+            return ["liquid", thing.number]
         case Stream(alive=True):
             return ["stream", thing.slot]
         case Text(alive=True):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from evilengine.script.air import PARTICLES
 from evilengine.script.arithmetic import formula
 from evilengine.script.checker import thing
-from evilengine.script.fluid_building import add_fluid
+from evilengine.script.fluid_building import add_fluid, add_water
 from evilengine.script.fluids import FLUIDS
 from evilengine.script.joints import JOINTS
 from evilengine.script.lighting import LIGHT
@@ -13,8 +13,9 @@ from evilengine.script.names import DRAWING, SOMETHING, Made, family_made
 from evilengine.script.settings import example_of
 from evilengine.script.shaping import Settings, ShapeBuilder
 from evilengine.script.syntax import Expression, Identifier, New, Setting, Spot, Text
+from evilengine.script.waters import FILLING, LIQUID, WATERS
 from evilengine.script.word import MOST_COLUMNS, PLACE, Property, Range
-from evilengine.script.words import KINDS, property_of
+from evilengine.script.words import KINDS, kind_called, property_of
 from evilengine.values import level as values
 from evilengine.values.level import (
     Area,
@@ -44,7 +45,7 @@ class ThingBuilder(ShapeBuilder):
         self.measured = []
         if statement.kind is not None:
             settings = self._settings(statement)
-            kind = KINDS[statement.kind]
+            kind = kind_called(statement.kind)
             if statement.drawn:
                 commands = self._drawing(statement, settings)
             elif kind.family == "body":
@@ -62,6 +63,8 @@ class ThingBuilder(ShapeBuilder):
                 commands = [values.AddParticles(statement.place, name, tuple(self._options(settings)))]
             elif kind.family in FLUIDS:
                 commands = add_fluid(self, statement, settings)
+            elif kind.family in (*WATERS, LIQUID, FILLING):
+                commands = add_water(self, statement, settings)
             elif kind.family == "spring":
                 commands = self._spring(statement, settings)
             elif kind.family == "ladder":
@@ -78,7 +81,7 @@ class ThingBuilder(ShapeBuilder):
     def _settings(self, statement: New) -> Settings:
         """The properties of a `new` by their words, each once, and all that it needs."""
         assert statement.kind is not None
-        kind = KINDS[statement.kind]
+        kind = kind_called(statement.kind)
         family = DRAWING if statement.drawn else kind.family
         found = self.by_word(statement.settings, family)
         if not statement.broken:
@@ -153,7 +156,7 @@ class ThingBuilder(ShapeBuilder):
     def _place(self, statement: New, settings: Settings) -> Option:
         """Where it is: said by `at`, or after the sizes; without either, in the middle."""
         assert statement.kind is not None
-        after_sizes = self._thesis_place(statement, len(KINDS[statement.kind].sizes), settings)
+        after_sizes = self._thesis_place(statement, len(kind_called(statement.kind).sizes), settings)
         if "at" in settings:
             return Option("at", self.value(*settings["at"]))
         return Option("at", after_sizes or Pair(0.0, 0.0))
@@ -232,11 +235,13 @@ class ThingBuilder(ShapeBuilder):
         first = [given.pop(name) for name in ("a", "b") if name in given]
         options = tuple(Option(name, value) for name, value in given.items())
         name_made = statement.name.name if statement.name else ""
-        return [values.AddJoint(statement.place, name_made, Make(KINDS[statement.kind].type, tuple(first), options))]
+        return [
+            values.AddJoint(statement.place, name_made, Make(kind_called(statement.kind).type, tuple(first), options))
+        ]
 
     def _force(self, statement: New, settings: Settings) -> list[Command]:
         assert statement.kind is not None
-        kind = KINDS[statement.kind]
+        kind = kind_called(statement.kind)
         sizes = [self.size(*each) for each in zip(statement.sizes, kind.sizes, strict=False)]
         bodies = self._those(settings, BODIES, "thing")
         force = Make(kind.type)

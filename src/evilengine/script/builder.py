@@ -30,15 +30,17 @@ from evilengine.script.syntax import (
     TextLine,
     Unknown,
 )
+from evilengine.script.waters import LIQUID, WATERS
 from evilengine.script.word import ANY, LANGUAGE_VERSION, MAX_ROUNDS, MAX_WORK, Range
 from evilengine.script.words import CHARACTER_EVENTS, MEETINGS, property_of
 from evilengine.values import level as values
 from evilengine.values.level import Called, Command, Number, Option, Place, Tagged, Value
 from evilengine.values.tick import FASTEST, SLOWEST
 
-CHANGING = (*BODIES, *JOINTS, *FLUIDS, PARTICLES, LIGHT, DRAWING, TEXT)
+_THERE = (*BODIES, *JOINTS, *FLUIDS, *WATERS, PARTICLES, LIGHT, DRAWING, TEXT)
+CHANGING = (*_THERE, LIQUID)
 """What `set` knows, beside numbers."""
-THINGS = (*CHANGING, "spring", "force", "drag", "medium")
+THINGS = (*_THERE, "spring", "force", "drag", "medium")
 
 WIDEST_QUAKE = 1000.0  # logical points, as the camera has it
 

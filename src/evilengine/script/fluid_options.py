@@ -1,4 +1,4 @@
-"""What the words of smoke mean together, as the engine takes it."""
+"""What the words of smoke and water mean together, as the engine takes it."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from typing import Any
 _SIDES = {"openLeft": "left", "openRight": "right", "openBottom": "bottom", "openTop": "top"}
 
 
-def smoke_options(said: Mapping[str, Any]) -> dict[str, Any]:
+def box_options(said: Mapping[str, Any]) -> dict[str, Any]:
     """Open sides as one text, flags as what they stand for.
 
-    >>> smoke_options({"openTop": True, "openLeft": True, "quality": True, "buoyancy": 1.0, "lit": True})
+    >>> box_options({"openTop": True, "openLeft": True, "quality": True, "buoyancy": 1.0, "lit": True})
     {'buoyancy': 1.0, 'quality': 'high', 'lit': False, 'open_sides': 'left top'}
     """
     options = {name: value for name, value in said.items() if name not in (*_SIDES, "open", "quality", "lit", "stick")}
@@ -21,10 +21,10 @@ def smoke_options(said: Mapping[str, Any]) -> dict[str, Any]:
     return options | ({"open_sides": sides} if sides else {})
 
 
-def source_options(said: Mapping[str, Any]) -> dict[str, Any]:
-    """All but its shape, and but what only a running one can be told.
+def flow_options(said: Mapping[str, Any]) -> dict[str, Any]:
+    """All of a source or a stream but its shape, and but what only one that is there can be told.
 
-    >>> source_options({"wide": 4.0, "tall": 1.0, "rate": 2.0, "running": True})
+    >>> flow_options({"wide": 4.0, "tall": 1.0, "rate": 2.0, "running": True})
     {'rate': 2.0}
     """
     return {name: value for name, value in said.items() if name not in ("wide", "tall", "running")}

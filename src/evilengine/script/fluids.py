@@ -42,6 +42,12 @@ _source = Of((SOURCE,), _AIR + "new source flame in air radius 0.3 ")
 _MUCH = Range(least=0.0, most=10_000.0)
 
 
+def sides_of(of: Of, what: str) -> tuple[Property, ...]:
+    """The flags that open one side each of a fluid's box."""
+    sides = {"openTop": "top", "openBottom": "bottom", "openLeft": "left side", "openRight": "right side"}
+    return tuple(of(word, "flag", f"{what} {side}.", word) for word, side in sides.items())
+
+
 def _gas(word: str, doc: str, shown: str, **more: Any) -> Property:
     return _smoke(word, "number", doc, shown, **{"range": _MUCH, "settable": True, **more})
 
@@ -53,10 +59,7 @@ FLUID_PROPERTIES: tuple[Property, ...] = (
     _smoke("cells", "whole", "How fine it is: so many square cells along its longer side; 256 unless said.",
         example="new smoke air 8 6 cells 128;", range=Range(least=2.0, most=MOST_CELLS),
         meant=("resolution", "grid", "size", "detail")),
-    _smoke("openTop", "flag", "Gas may leave and enter by its top.", "openTop"),
-    _smoke("openBottom", "flag", "Gas may leave and enter by its bottom.", "openBottom"),
-    _smoke("openLeft", "flag", "Gas may leave and enter by its left side.", "openLeft"),
-    _smoke("openRight", "flag", "Gas may leave and enter by its right side.", "openRight"),
+    *sides_of(_smoke, "Gas may leave and enter by its"),
     _smoke("open", "flag", "It has no walls: gas may leave and enter by all four sides.", "open",
         meant=("openSides", "openAll", "noWalls", "unbounded")),
     _gas("buoyancy", "How strongly heat rises: at a temperature of 1, so many times as things fall; 0.5 unless said.",

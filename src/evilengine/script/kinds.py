@@ -9,6 +9,7 @@ from evilengine.script.characters import CHARACTER_KINDS
 from evilengine.script.fluids import FLUID_KINDS
 from evilengine.script.joints import JOINT_KINDS
 from evilengine.script.lighting import LIGHT_KINDS
+from evilengine.script.waters import WATER_KINDS
 from evilengine.script.word import ANY, MAX_CORNERS, NOT_NEGATIVE, Kind, Range, Size
 
 KINDS: Mapping[str, Kind] = {
@@ -139,12 +140,13 @@ KINDS: Mapping[str, Kind] = {
             needs=("drag",),
             doc="An area of water, wind or mud: it slows what is in it, lifts it by its density, and takes it along.",
             example="new medium pond 8 2 at 0 -3 drag 4;",
-            meant=("water", "mud", "liquid", "area", "lake", "pond"),
+            meant=("mud", "area", "lake", "pond", "draught"),
         ),
         *CHARACTER_KINDS,
         *AIR_KINDS,
         *LIGHT_KINDS,
         *FLUID_KINDS,
+        *WATER_KINDS,
         *JOINT_KINDS,
     )
 }

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from evilengine.script.arithmetic import UNKNOWN, Bounds
 from evilengine.script.syntax import Block, Choice, Event, Identifier, New, Order, Rounds, TextLine, Unknown
-from evilengine.script.words import KINDS, RESERVED
+from evilengine.script.words import RESERVED, kind_called
 from evilengine.values.level import Place
 
 NUMBER = "number"
@@ -100,7 +100,7 @@ def family_made(statement: New) -> str:
         return SOMETHING
     if statement.drawn:
         return DRAWING
-    return KINDS[statement.kind].family
+    return kind_called(statement.kind).family
 
 
 def reserved(name: str) -> bool:

@@ -189,6 +189,8 @@ class Parser(Pictured):
                 return self.changed(place, before)
             case "background" | "plane" | "lens":
                 return self.picturing(word, place, before)
+            case "fill" | "pour" | "drain":
+                return self.flowing(word, place, before)
             case "drive" | "tell":
                 return self.steering(word, place, before)
             case "on":

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from evilengine.script.expressions import Skip
-from evilengine.script.steering import Steered
+from evilengine.script.flowing import Flowing
 from evilengine.script.syntax import Item, Picturing
 from evilengine.values.level import Place
 
 
-class Pictured(Steered):
+class Pictured(Flowing):
     """Readers of `background`, `plane` and `lens`."""
 
     def picturing(self, word: str, place: Place, before: int) -> Picturing:

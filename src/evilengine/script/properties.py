@@ -8,6 +8,7 @@ from evilengine.script.fluids import FLUID_PROPERTIES
 from evilengine.script.joints import JOINT_PROPERTIES
 from evilengine.script.lighting import LIGHT_PROPERTIES
 from evilengine.script.meeting import MEETING
+from evilengine.script.waters import WATER_PROPERTIES
 from evilengine.script.word import FRACTION, NOT_NEGATIVE, PLACE, SIZE, Of, Property, Range
 
 _placed = Of(("body", "drawing", "character", "medium", "ladder"))
@@ -155,6 +156,7 @@ PROPERTIES: tuple[Property, ...] = (
     *AIR_PROPERTIES,
     *LIGHT_PROPERTIES,
     *FLUID_PROPERTIES,
+    *WATER_PROPERTIES,
     *JOINT_PROPERTIES,
 )
 # fmt: on

@@ -86,6 +86,8 @@ def reference() -> str:
     parts.append("### Of lights\n\n" + _table(properties_of("light")))
     parts.append("### Of smoke\n\n" + _table(properties_of("smoke")))
     parts.append("### Of sources of smoke\n\n" + _table(properties_of("source")))
+    parts.append("### Of water and liquids\n\n" + _table(_merged("water", "liquid")))
+    parts.append("### Of what is filled, poured and drained\n\n" + _table(_merged("stream", "filling", "drain")))
     parts.append("### Of particles\n\n" + _table(properties_of("particles")))
     parts.append("### Of drawings\n\n" + _table(properties_of("drawing")))
     parts.append("### Of texts\n\n" + _table(properties_of("text")))

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from evilengine.script.air import AIR_STATEMENTS
 from evilengine.script.lighting import LIGHT_STATEMENTS
+from evilengine.script.waters import WATER_STATEMENTS
 from evilengine.script.word import Statement, Word
 
 STATEMENTS: Mapping[str, Statement] = {
@@ -163,6 +164,7 @@ STATEMENTS: Mapping[str, Statement] = {
             example="new character guard 0.6 1.5 at 0 1;\ntell guard walk -1;\nevery 2 { tell guard jump; }",
             meant=("order", "command", "walk"),
         ),
+        *WATER_STATEMENTS,
         Statement(
             word="destroy",
             form="destroy NAME;",

@@ -71,7 +71,7 @@ class Translator(PythonFluids):
                 self._line(f"game.tilt = {on}")
             case _ if isinstance(command, commands.Picture):
                 self._picture(command)
-            case commands.AddSmoke() | commands.AddSource():
+            case _ if isinstance(command, commands.Fluid):
                 self._fluid(command)
             case commands.Go(file=file):
                 self._line(f"game.go({quoted(file)})" if file else "game.restart()")

@@ -14,6 +14,7 @@ from collections.abc import Iterable, Mapping
 from evilengine.script.kinds import KINDS
 from evilengine.script.properties import PROPERTIES
 from evilengine.script.statements import ARITY, CHARACTER_EVENTS, EVENT_MEANT, EVENTS, FUNCTIONS, MEETINGS, STATEMENTS
+from evilengine.script.waters import FLOWS
 from evilengine.script.word import Kind, Property, Word
 
 DRAWN = ("rectangle", "circle", "triangle", "polygon", "capsule", "segment", "chain")
@@ -23,6 +24,11 @@ JOINING_WORDS = frozenset({"times", "as", "else", "and", "or", "not"})
 EVENT_NAMES = frozenset({"this", "other"})
 RESERVED = frozenset(STATEMENTS) | frozenset(KINDS) | PROPERTY_WORDS | JOINING_WORDS | EVENT_NAMES
 """Words that cannot be names. Functions can: `floor` is one only with a ( right after it."""
+
+
+def kind_called(word: str) -> Kind:
+    """The kind of what `new` makes, or a statement about water."""
+    return KINDS.get(word) or FLOWS[word]
 
 
 def property_of(word: str, family: str) -> Property | None:
@@ -91,6 +97,6 @@ def near_property(wrong: str, family: str) -> str | None:
 
 __all__ = [
     "ARITY", "CHARACTER_EVENTS", "DRAWN", "EVENTS", "EVENT_MEANT", "EVENT_NAMES", "FUNCTIONS", "JOINING_WORDS", "KINDS",
-    "MEETINGS", "PROPERTIES", "PROPERTY_WORDS", "RESERVED", "STATEMENTS", "meant_for", "near", "near_kind",
-    "near_property", "near_statement", "placed", "properties_of", "property_of", "takes",
+    "MEETINGS", "PROPERTIES", "PROPERTY_WORDS", "RESERVED", "STATEMENTS", "kind_called", "meant_for", "near",
+    "near_kind", "near_property", "near_statement", "placed", "properties_of", "property_of", "takes",
 ]  # fmt: skip

@@ -11,8 +11,12 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from evilengine.values.diagnostics import Diagnostic
+from evilengine.values.level_fluids import AddLiquid as AddLiquid
 from evilengine.values.level_fluids import AddSmoke as AddSmoke
 from evilengine.values.level_fluids import AddSource as AddSource
+from evilengine.values.level_fluids import AddStream as AddStream
+from evilengine.values.level_fluids import AddWater as AddWater
+from evilengine.values.level_fluids import FillWater as FillWater
 from evilengine.values.level_fluids import Fluid as Fluid
 from evilengine.values.level_looks import AddLight as AddLight
 from evilengine.values.level_looks import AddParticles as AddParticles

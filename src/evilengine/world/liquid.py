@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from evilengine import _core
 from evilengine.values.checks import number
 from evilengine.values.colour import Colour, ColourLike, to_colour
 
@@ -11,6 +12,8 @@ if TYPE_CHECKING:
     from evilengine.world.water import Water
 
 BLUE = "#408cd9"
+MOST_LIQUIDS: int = _core.MOST_LIQUIDS_OF_WATER
+"""Of one water."""
 
 
 class Liquid:
@@ -71,6 +74,11 @@ class Liquid:
         return self._water
 
     @property
+    def number(self) -> int:
+        """Its own among all liquids of its world, as saved games have it."""
+        return self._water.slot * MOST_LIQUIDS + self._index
+
+    @property
     def count(self) -> int:
         """How many particles it has."""
         return self._water._count_of(self._index, self._serial)
@@ -118,3 +126,15 @@ def made_of(
         number(surface_tension, me, "surface_tension", least=0.0, most=1e4),
         (red, green, blue),
     )
+
+
+def of_first(name: str) -> Any:
+    """An attribute of a water that is one of its first liquid's."""
+
+    def get(water: Water) -> Any:
+        return getattr(water.liquids[0], name)
+
+    def put(water: Water, value: Any) -> None:
+        setattr(water.liquids[0], name, value)
+
+    return property(get, put, doc=getattr(Liquid, name).__doc__)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from evilengine import _core
@@ -13,7 +13,7 @@ from evilengine.values.errors import ArgumentError, ArgumentTypeError
 from evilengine.values.vec2 import Point, Vec2
 from evilengine.world.arguments import place
 from evilengine.world.character import Area, to_area
-from evilengine.world.liquid import BLUE, Liquid, made_of
+from evilengine.world.liquid import BLUE, MOST_LIQUIDS, Liquid, made_of, of_first
 from evilengine.world.shapes import Circle, Rectangle, ShapeDefinition
 from evilengine.world.smoke import LEAST_CELLS, MOST_CELLS, SIDES, flow, one_or_all, sides
 from evilengine.world.smoke import Fluids as Fluids
@@ -89,7 +89,8 @@ class Water(_core.Water):
 
     `positions` and `velocities` are (count, 2) float32 buffers, views without a copy which may be written; `kinds` says
     which of `liquids` each particle is. Ask for them anew after each step: particles change places, and come and go.
-    What lies outside the box, or is no number, is brought back by the next step.
+    What lies outside the box, or is no number, is brought back by the next step. `density`, `viscosity`,
+    `surface_tension` and `colour` are those of the first of `liquids`.
 
     >>> world = evil.World()
     >>> water = world.add_water((0, 0, 4, 3), particle_size=0.1)
@@ -98,6 +99,9 @@ class Water(_core.Water):
     >>> round(water.volume, 3), water.is_in((2, 0.5)), water.is_in([(2, 0.5), (2, 2)])
     (4.0, True, [True, False])
     """
+
+    density, viscosity = of_first("density"), of_first("viscosity")
+    surface_tension, colour = of_first("surface_tension"), of_first("colour")
 
     def __init__(self, world: World, slot: int) -> None:
         super().__init__(world._core, slot)
@@ -235,8 +239,8 @@ class Water(_core.Water):
         """
         me = "Water.add_liquid"
         made = made_of(density, viscosity, surface_tension, colour, me)
-        if len(self._liquid_serials()) >= _core.MOST_LIQUIDS_OF_WATER:
-            raise ArgumentError(f"{me}: a water has at most {_core.MOST_LIQUIDS_OF_WATER} liquids")
+        if len(self._liquid_serials()) >= MOST_LIQUIDS:
+            raise ArgumentError(f"{me}: a water has at most {MOST_LIQUIDS} liquids")
         return Liquid(self, len(self._liquid_serials()), self._add_liquid(*made))
 
     @property
@@ -413,6 +417,11 @@ class Waters(Fluids):
     def waters(self) -> tuple[Water, ...]:
         """All waters, in the order of their slots."""
         return tuple(Water(self, slot) for slot in _core.water_slots(self._core))  # type: ignore[arg-type]
+
+
+def liquids_of(world: Waters) -> Iterator[Liquid]:
+    """Those of all its waters."""
+    return (liquid for water in world.waters for liquid in water.liquids)
 
 
 def pouring(rate: float, me: str, argument: str) -> float:
