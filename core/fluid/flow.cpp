@@ -6,8 +6,6 @@
 namespace evil::fluid {
 namespace {
 
-constexpr int kCycles = 2; // of multigrid: leave less than 1% of the divergence, with the last step's pressure
-
 void carry(const Step& step, Field& value, Field& result, bool across) {
     Scratch& s = step.scratch;
     const Plan plan = step.plan();
@@ -28,32 +26,7 @@ void carry(const Step& step, Field& value, Field& result, bool across) {
     value.swap(result);
 }
 
-Vec2 velocity_of(const World& world, const Wall& wall) {
-    return clamped(velocity_at(world.bodies.rows[wall.body], wall.place), kMostFlow);
-}
-
-void gather_inflow(const Step& step) {
-    Scratch& s = step.scratch;
-    const Smoke& smoke = step.smoke;
-    const Plan plan = step.plan();
-    rows(step, 0, [&](int first, int last) {
-        EVIL_PICK(step.world.instruction_set, find_inflow)
-        (plan, smoke.u.data(), smoke.v.data(), s.solids.across().data(), s.solids.up().data(), s.inflow.data(), first,
-         last);
-    });
-    for (const Wall& wall : s.solids.walls_across()) {
-        const float flow = wall.closed * velocity_of(step.world, wall).x;
-        s.inflow[wall.at] += flow;
-        s.inflow[wall.at - 1] -= flow;
-    }
-    for (const Wall& wall : s.solids.walls_up()) {
-        const float flow = wall.closed * velocity_of(step.world, wall).y;
-        s.inflow[wall.at] += flow;
-        s.inflow[wall.at - plan.stride] -= flow;
-    }
-    // what bodies pump into a sealed pocket is spread evenly, or no pressure could balance it
-    s.solids.pockets().level(smoke.grid, s.inflow, step.world.instruction_set, step.world.threads);
-}
+Vec2 velocity_of(const Scratch& s, const Wall& wall) { return velocity_at(s.rides[wall.body], wall.place); }
 
 // Root mean square over the cells with gas, a second.
 float gathering(const Step& step) {
@@ -128,6 +101,29 @@ void drive(const Step& step) {
     });
 }
 
+void gather_inflow(const Step& step) {
+    Scratch& s = step.scratch;
+    const Smoke& smoke = step.smoke;
+    const Plan plan = step.plan();
+    rows(step, 0, [&](int first, int last) {
+        EVIL_PICK(step.world.instruction_set, find_inflow)
+        (plan, smoke.u.data(), smoke.v.data(), s.solids.across().data(), s.solids.up().data(), s.inflow.data(), first,
+         last);
+    });
+    for (const Wall& wall : s.solids.walls_across()) {
+        const float flow = wall.closed * velocity_of(s, wall).x;
+        s.inflow[wall.at] += flow;
+        s.inflow[wall.at - 1] -= flow;
+    }
+    for (const Wall& wall : s.solids.walls_up()) {
+        const float flow = wall.closed * velocity_of(s, wall).y;
+        s.inflow[wall.at] += flow;
+        s.inflow[wall.at - plan.stride] -= flow;
+    }
+    // what bodies pump into a sealed pocket is spread evenly, or no pressure could balance it
+    s.solids.pockets().level(smoke.grid, s.inflow, step.world.instruction_set, step.world.threads);
+}
+
 void project(const Step& step, Field& pressure) {
     Scratch& s = step.scratch;
     Smoke& smoke = step.smoke;
@@ -142,9 +138,9 @@ void project(const Step& step, Field& pressure) {
         (plan, pressure.data(), across, up, smoke.u.data(), smoke.v.data(), first, last);
     });
     for (const Wall& wall : s.solids.walls_across())
-        if (across[wall.at] == 0.0f) smoke.u[wall.at] = velocity_of(step.world, wall).x;
+        if (across[wall.at] == 0.0f) smoke.u[wall.at] = velocity_of(s, wall).x;
     for (const Wall& wall : s.solids.walls_up())
-        if (up[wall.at] == 0.0f) smoke.v[wall.at] = velocity_of(step.world, wall).y;
+        if (up[wall.at] == 0.0f) smoke.v[wall.at] = velocity_of(s, wall).y;
 }
 
 void watch(const Step& step) {

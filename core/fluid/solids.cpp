@@ -29,6 +29,19 @@ Patch nodes_round(const Grid& g, Vec2 low, Vec2 high) {
                         whole(std::ceil(high.x) + 2.0f, g.nx), whole(std::ceil(high.y) + 2.0f, g.ny)});
 }
 
+// Half of how wide a convex piece is where it is narrowest: seen along one of its edges.
+float half_width(std::span<const Vec2> corners) {
+    float least = corners.size() < 2 ? 0.0f : kFar;
+    for (std::size_t i = 0; i < corners.size() && least > 0.0f; ++i) {
+        const Vec2 p = corners[i], d = corners[i + 1 < corners.size() ? i + 1 : 0] - p;
+        float most = 0.0f;
+        for (Vec2 corner : corners) most = std::max(most, std::abs(cross(d, corner - p)));
+        const float long_side = length(d);
+        if (long_side > 0.0f) least = std::min(least, 0.5f * most / long_side);
+    }
+    return least;
+}
+
 void set_outline(Outline& o, std::span<const Vec2> corners, float radius) {
     const std::size_t n = std::min<std::size_t>(corners.size(), kMostEdges);
     o.edges = static_cast<int>(n == 2 ? 1 : n); // a segment is one edge there
@@ -72,9 +85,8 @@ void Solids::look(const World& world, const Grid& g) {
         if (piece.count == 0) corners_.push_back(middle);
         for (Vec2 corner : points_of(shapes, piece)) corners_.push_back(per_metre * (transform(pose, corner) - g.low));
         seen.count = static_cast<std::uint32_t>(corners_.size()) - seen.first;
-        const Form& form = shapes.forms[slot];
-        const float narrow = per_metre * (std::min(form.half.x, form.half.y) + form.radius);
-        const float wide = per_metre * (std::max(form.half.x, form.half.y) + form.radius);
+        const std::span<const Vec2> corners(&corners_[seen.first], seen.count);
+        const float narrow = half_width(corners) + seen.radius, wide = per_metre * piece.reach;
         if (wide > 2.0f * kThin) seen.radius += std::max(kThin - narrow, 0.0f);
         Vec2 low = corners_[seen.first], high = low;
         for (std::size_t k = seen.first; k < corners_.size(); ++k)
@@ -175,7 +187,7 @@ void Solids::find_gas(const Grid& g) {
     }
 }
 
-// Where bodies that move cover faces, and where gas lies on dynamic ones: only near these, row by row.
+// Where bodies that move cover faces, and where gas lies on them: only near these, row by row.
 void Solids::find_walls(const World& world, const Grid& g, const Pressure& pressure) {
     const Level& fine = pressure.finest();
     const std::vector<Body>& bodies = world.bodies.rows;
@@ -211,13 +223,13 @@ void Solids::look_at(const std::vector<Body>& bodies, const Grid& g, int i, int 
     if (across_[at] < 1.0f && i > 0) add(walls_across_, across_[at], deeper(at, above), {0.0f, 0.5f * g.h});
     if (up_[at] < 1.0f && j > 0) add(walls_up_, up_[at], deeper(at, at + 1), {0.5f * g.h, 0.0f});
     if (gas_[at] == 0.0f) return;
-    Vec2 area = g.h * Vec2{across_[at] - across_[at + 1], up_[at] - up_[above]};
-    if (i == 0 || i == g.nx - 1) area.x = 0.0f; // the box's own wall is no body's
-    if (j == 0 || j == g.ny - 1) area.y = 0.0f;
+    // the box's own sides are no body's: there its outline ends, and is closed
+    const Vec2 area = g.h * Vec2{(i > 0 ? across_[at] : 1.0f) - (i + 1 < g.nx ? across_[at + 1] : 1.0f),
+                                 (j > 0 ? up_[at] : 1.0f) - (j + 1 < g.ny ? up_[above] : 1.0f)};
     const std::uint32_t low = deeper(at, at + 1), high = deeper(above, above + 1);
     const float near_low = std::min(distance_[at], distance_[at + 1]);
     const std::uint32_t body = near_low < std::min(distance_[above], distance_[above + 1]) ? low : high;
-    if (body == kNone || area == Vec2{} || bodies[body].kind != BodyKind::dynamic) return;
+    if (body == kNone || area == Vec2{} || !moves(bodies[body])) return;
     shores_.push_back({i, j, area, body});
 }
 

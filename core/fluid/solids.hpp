@@ -21,7 +21,7 @@ struct Wall { // a face that a moving body covers, wholly or in part
     std::uint32_t body;
 };
 
-struct Shore { // a cell with gas that a dynamic body reaches into
+struct Shore { // a cell with gas that a body reaches into that moves
     int i, j;
     Vec2 area; // metres of the body's outline in it, times its direction into the body
     std::uint32_t body;

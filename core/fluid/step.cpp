@@ -76,7 +76,9 @@ void reflect_half_way(const Step& step) {
     find_way(step, 0.5f * step.dt);
     carry_flow(step);
     s.u = smoke.u, s.v = smoke.v;
+    take_along(step, smoke.half_pressure, 2.0f);
     project(step, smoke.half_pressure);
+    reflect_rides(step);
     find_way(step, step.dt); // the flow half way through the step is the best guess for all of it
     carry_content(step);
     find_way(step, 0.5f * step.dt);
@@ -92,6 +94,7 @@ void step_staggered(Smoke& smoke, std::uint32_t slot, World& world, float dt) {
     const Step step{smoke, *smoke.scratch, world, dt};
     if (smoke.views->lent) take_over(step);
     step.scratch.solids.update(world, smoke.grid, step.scratch.pressure, world.instruction_set);
+    see_bodies(step);
     if (smoke.quality == Quality::high) {
         reflect_half_way(step);
     } else {
@@ -104,6 +107,8 @@ void step_staggered(Smoke& smoke, std::uint32_t slot, World& world, float dt) {
     apply_sources(smoke, slot, world, dt);
     drive(step);
     thicken_flow(step);
+    drag_bodies(step);
+    take_along(step, smoke.pressure, 1.0f);
     project(step, smoke.pressure);
     watch(step);
     push_bodies(step);
