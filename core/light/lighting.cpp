@@ -147,15 +147,16 @@ Planes planes_at(float* first, std::size_t plane, bool directed) {
 
 // What lamps with shadows give, on and in bodies, is added to the rest: light, and the ways that it comes from.
 void add_shaded(Scratch& scratch, const Grid& grid, int reach, const Planes& open, const Planes& shaded, bool directed,
-                Threads& threads) {
+                World& world) {
     const std::size_t count = static_cast<std::size_t>(grid.stride) * grid.height;
     const bool bodies = std::ranges::find(scratch.solid, std::uint8_t{1}) != scratch.solid.end();
     float* const* to[] = {open.light, open.across, open.down};
     float* const* from[] = {shaded.light, shaded.across, shaded.down};
-    parallel_for(threads, directed ? 3 : 1, 1, [&](std::size_t first, std::size_t last) {
+    parallel_for(world.threads, directed ? 3 : 1, 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             if (bodies)
-                add_soaked(to[i], from[i], scratch.solid, grid.stride, grid.height, reach, scratch.soak[i]);
+                add_soaked(to[i], from[i], scratch.solid, grid.stride, grid.height, reach, world.instruction_set,
+                           scratch.soak[i]);
             else
                 for (std::size_t c = 0; c < 3; ++c)
                     for (std::size_t at = 0; at < count; ++at) to[i][c][at] += from[i][c][at];
@@ -223,7 +224,7 @@ void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& 
                          shaded.light[0], shaded.across[0], shaded.down[0]},
                         {ambient, look.bounce, look.shade * grid.scale}, scratch.casters, world);
         const int reach = std::clamp(static_cast<int>(std::lround(look.depth * grid.scale)), 1, grid.width);
-        add_shaded(scratch, grid, reach, open, shaded, look.directed, world.threads);
+        add_shaded(scratch, grid, reach, open, shaded, look.directed, world);
     }
     pack(map, grid, open, world.instruction_set);
 }

@@ -174,6 +174,17 @@ EVIL_INLINE Ints to_way(Floats sum, Floats light) { // nowhere where there is no
 }
 
 EVIL_INLINE void pack(std::uint64_t* to, int count, Ints red, Ints green, Ints blue) {
+#if EVIL_WIDTH == 8
+    if (count >= kLanes) {
+        const Ints low = blue | green << light::kFactorApart;
+        const Ints high = shift_right_unsigned(green, 32 - light::kFactorApart) | red << (2 * light::kFactorApart - 32);
+        const auto a = __builtin_bit_cast(__m256i, low.part[0]), b = __builtin_bit_cast(__m256i, high.part[0]);
+        const __m256i even = _mm256_unpacklo_epi32(a, b), odd = _mm256_unpackhi_epi32(a, b); // 0 1 4 5, 2 3 6 7
+        _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_permute2x128_si256(even, odd, 0x20));
+        _mm256_storeu_si256(reinterpret_cast<__m256i*>(to + 4), _mm256_permute2x128_si256(even, odd, 0x31));
+        return;
+    }
+#endif
     std::int32_t r[8], g[8], b[8];
     store(r, red), store(g, green), store(b, blue);
     for (int lane = 0; lane < 8 && lane < count; ++lane)

@@ -1,10 +1,14 @@
 #include "light/soak.hpp"
+#include "light/soak_wide.hpp"
 #include <algorithm>
 
 namespace evil::light {
 namespace {
 
 constexpr int kAtOnce = 4; // rows whose windows move together, so that no sum waits for another
+
+constexpr int kNumbers = 4; // in a Soft
+static_assert(sizeof(Soft) == kNumbers * sizeof(float), "rows of them are rows of floats");
 
 void add(Soft& sum, const Soft& one, float sign) {
     sum.red += sign * one.red, sum.green += sign * one.green;
@@ -35,8 +39,8 @@ void blur_rows(const Soft* from, Soft* to, int width, int half) {
 // Means over squares: a row at a time, from the top. `put(y, row)` gives the rows that they are taken of, each once.
 template <class Put> class Means {
 public:
-    Means(Spread& spread, int width, int height, int half, Put put)
-        : spread_(spread), width_(width), height_(height), half_(half), put_(put),
+    Means(Spread& spread, int width, int height, int half, InstructionSet set, Put put)
+        : spread_(spread), width_(width), height_(height), half_(half), set_(set), put_(put),
           kept_((2 * half + 2 + 2 * kAtOnce - 1) / kAtOnce * kAtOnce) {
         const auto columns = static_cast<std::size_t>(width);
         spread.rows.resize(kept_ * columns);
@@ -50,12 +54,8 @@ public:
             for (int x = 0; x < width_; ++x) add(sums[x], row[x], 1.0f);
         }
         const Soft *enters = row_of(y_ + half_ + 1), *leaves = row_of(y_ - half_);
-        const float share = share_of(half_);
-        for (int x = 0; x < width_; ++x) {
-            out[x] = scaled(sums[x], share);
-            add(sums[x], enters[x], 1.0f);
-            add(sums[x], leaves[x], -1.0f);
-        }
+        EVIL_PICK(set_, move_windows_wide)
+        (&out->red, &sums->red, &enters->red, &leaves->red, share_of(half_), kNumbers * width_);
         ++y_;
     }
 
@@ -73,6 +73,7 @@ private:
 
     Spread& spread_;
     int width_, height_, half_;
+    InstructionSet set_;
     Put put_;
     int kept_;
     int made_ = 0; // rows that were put
@@ -82,16 +83,16 @@ private:
 } // namespace
 
 void add_soaked(float* const to[3], const float* const from[3], std::span<const std::uint8_t> solid, int width,
-                int height, int reach, SoakScratch& scratch) {
+                int height, int reach, InstructionSet set, SoakScratch& scratch) {
     const int half = std::max(1, (reach + 1) / 2); // two passes reach twice as far, and fade as a parabola does
-    Means once(scratch.first, width, height, half, [&](int y, Soft* row) {
+    Means once(scratch.first, width, height, half, set, [&](int y, Soft* row) {
         const auto at = static_cast<std::size_t>(y) * width;
         for (int x = 0; x < width; ++x) {
             const float air = solid[at + x] ? 0.0f : 1.0f;
             row[x] = {air * from[0][at + x], air * from[1][at + x], air * from[2][at + x], air};
         }
     });
-    Means twice(scratch.second, width, height, half, [&](int, Soft* row) { once.next(row); });
+    Means twice(scratch.second, width, height, half, set, [&](int, Soft* row) { once.next(row); });
     scratch.row.resize(static_cast<std::size_t>(width));
     for (int y = 0; y < height; ++y) {
         twice.next(scratch.row.data());

@@ -7,6 +7,7 @@
 //
 // The mean is taken twice over a square, along rows and then down columns. All four passes go down the map together, each a
 // few rows ahead of the next, so that what one leaves is still in the cache when the other takes it.
+#include "math/cpu.hpp"
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,9 +29,9 @@ struct SoakScratch {
     std::vector<Soft> row;
 };
 
-// Adds three planes to three others, of rows `width` long: light as it is in the air, and soaked into what is `solid`.
+// Adds three planes to three others, of rows `width` long, a multiple of eight: light as it is in the air, and soaked into what is `solid`.
 // `reach`: texels to where the light has faded, at least 1.
 void add_soaked(float* const to[3], const float* const from[3], std::span<const std::uint8_t> solid, int width,
-                int height, int reach, SoakScratch& scratch);
+                int height, int reach, InstructionSet set, SoakScratch& scratch);
 
 } // namespace evil::light
