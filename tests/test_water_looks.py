@@ -17,6 +17,8 @@ import evilengine as evil
 PLAIN = {"ramp": ["#ffff", "#ffff"], "rim": 0.0, "refraction": 0.0}
 """White all through."""
 
+SCENES = ("pool", "wave", "jet", "lit", "turned", "liquids")
+
 
 def share_of_white(game: evil.Game) -> Any:
     """How much of each pixel is water that is white, over black."""
@@ -37,19 +39,23 @@ def scene_of(name: str, renderer: str) -> evil.Game:
         game.ambient = 0.3
         game.add_light(at=(-2.5, 1.5), colour="#ffd9a0", radius=6)
         game.add_light(at=(2, 0.5), colour="#80b0ff", radius=4)
-    pour(game, {"pool": pool, "jet": jet}.get(name, wave), noise=0.2)
+    water = pour(game, {"pool": pool, "jet": jet}.get(name, wave), noise=0.0 if name == "liquids" else 0.2)
+    if name == "liquids":
+        kinds = [water.add_liquid(colour="#e0a020"), water.add_liquid(colour="#c03050")]
+        for kind, left in zip(kinds, (-1.5, 1.0), strict=True):
+            water.fill((left, -0.8, left + 1.5, 0.9), liquid=kind)
     if name == "turned":
         game.camera.angle = 0.4
         game.camera.zoom *= 2
     return game
 
 
-@pytest.mark.parametrize("name", ["pool", "wave", "jet", "lit", "turned"])
+@pytest.mark.parametrize("name", SCENES)
 def test_water_looks_as_it_did(name: str) -> None:
     assert_golden(f"water_{name}", scene_of(name, "soft").capture().pixels)
 
 
-@pytest.mark.parametrize("name", ["pool", "wave", "jet", "lit", "turned"])
+@pytest.mark.parametrize("name", SCENES)
 def test_both_renderers_show_the_same_water(name: str) -> None:
     any_driver()
     game = scene_of(name, "gl")
@@ -152,6 +158,19 @@ def test_a_body_that_swims_is_seen_through_the_water_and_a_wall_is_not() -> None
     assert picture[110, 160].tolist() == [255, 255, 255]
     assert picture[132, 160, 0] < 160
     assert picture[110, 240].tolist() == picture[132, 240].tolist() == [255, 255, 255]
+
+
+def test_liquids_have_their_own_colours_and_mix_at_their_border() -> None:
+    game = game_of()
+    water = pour(game, lambda x, y: (y < 0) & (x < 0), colour="blue", rim=0)
+    water.fill((0, -2.5, 4, 0), liquid=water.add_liquid(colour="red"))
+    row = pixels(game)[180]
+    left, right = row[80], row[240]
+    assert left[2] > 2 * left[0]
+    assert right[0] > 2 * right[2]
+    reds = row[140:180, 0]
+    assert (np.diff(reds) >= -2).all()
+    assert ((reds > left[0] + 10) & (reds < right[0] - 10)).sum() >= 4
 
 
 def test_it_is_drawn_over_its_layer_and_under_the_next() -> None:
@@ -268,6 +287,6 @@ def test_looks_that_make_no_sense_leave_nothing_behind(given: dict[str, Any], me
 if __name__ == "__main__":
     import PIL.Image
 
-    for each in ("pool", "wave", "jet", "lit", "turned"):
+    for each in SCENES:
         shown = scene_of(each, "soft").capture()
         PIL.Image.fromarray(np.asarray(shown.pixels), "RGBA").save(Path(__file__).parent / f"golden/water_{each}.png")

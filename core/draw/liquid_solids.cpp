@@ -5,7 +5,8 @@
 namespace evil::draw {
 namespace {
 
-constexpr float kNear = 3.0f; // texels from a solid within which distances to it matter
+constexpr std::size_t kMostSides = 256; // of a convex shape, its round corners as light has them
+constexpr float kNear = 3.0f;           // texels from a solid within which distances to it matter
 
 using light::Caster;
 
@@ -29,8 +30,8 @@ void each_near(const light::Casters& casters, const Caster& caster, const Liquid
     float area = 0.0f;
     for (std::size_t i = 0; i < corners.size(); ++i)
         area += cross(corners[i] - corners[0], corners[(i + 1) % corners.size()] - corners[0]);
-    Side sides[64];
-    const std::size_t count = std::min<std::size_t>(corners.size(), 64);
+    Side sides[kMostSides];
+    const std::size_t count = std::min(corners.size(), kMostSides);
     for (std::size_t i = 0; i < count; ++i) {
         const Vec2 along = corners[(i + 1) % corners.size()] - corners[i];
         const Vec2 normal = normalised(area > 0.0f ? Vec2{along.y, -along.x} : Vec2{-along.y, along.x});

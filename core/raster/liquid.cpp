@@ -46,6 +46,8 @@ void find_columns(const LiquidMap& map, Span span, LiquidScratch& scratch) {
         scratch.column[i] = place.first, scratch.part[i] = place.part;
         for (std::size_t k = 0; k < 4; ++k) scratch.cubic[k * room + i] = weights.part[k];
     }
+    std::fill(scratch.column.begin() + static_cast<std::ptrdiff_t>(count), scratch.column.end(),
+              scratch.column[count - 1]);
 }
 
 void mix_rows(const LiquidMap& map, const Place& place, std::size_t stride, float* texels, Set set) {
