@@ -1,4 +1,4 @@
-"""The commands of backgrounds, planes, particles and the lens."""
+"""The commands of backgrounds, planes, particles, the lens and the camera."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from functools import reduce
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
-from evilengine.level import lights
+from evilengine.level import lights, looks
 from evilengine.level.rules import Scope
 from evilengine.script.air_options import emitter_options
 from evilengine.values import level as commands
@@ -38,6 +38,8 @@ def carry_out(level: Level, command: commands.Picture, scope: Scope, game: Game)
                 game.layers.perspective = True
             for name, value in options.items():
                 setattr(game.post, name, value)
+        case commands.SetCamera():
+            looks.set_camera(game.camera, options)
         case commands.AddParticles(name=name):
             if level._has_room(command) and options.get("body", True) is not None:
                 if "texture" in options:

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from evilengine.game import Game
     from evilengine.level.level import Level
     from evilengine.level.rules import Scope
+    from evilengine.scene import Camera
 
 MAPS = frozenset({"normal_map", "glow_map"})
 """Pictures of a surface, beside that of its colours."""
@@ -60,3 +61,19 @@ def move_camera(
     body = level._thing(command.target, scope)
     if isinstance(body, Body):  # else it is gone
         game.camera.follow(body)
+
+
+def set_camera(camera: Camera, told: dict[str, Any]) -> None:
+    """What `camera` says, by the names of its properties' options."""
+    following = {name: told.pop(name) for name in ("dead_zone", "smoothing") if name in told}
+    target = told.pop("target", None)
+    if isinstance(target, Body):  # else it is gone, or nobody was named
+        camera.follow(target, **following)
+    if "low" in told:
+        camera.bounds = (*told.pop("low"), *told.pop("high"))
+    seconds = told.pop("seconds", None)
+    if seconds is not None:
+        camera.glide(**told, seconds=seconds)
+        return
+    for name, value in told.items():
+        setattr(camera, name, value)

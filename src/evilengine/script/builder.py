@@ -7,6 +7,7 @@ from evilengine.script.arithmetic import Bounds
 from evilengine.script.bodies import BODIES, ThingBuilder
 from evilengine.script.characters import TELLINGS
 from evilengine.script.checker import thing
+from evilengine.script.filming import CAMERA, NEEDS
 from evilengine.script.fluids import FLUIDS
 from evilengine.script.joints import JOINTS
 from evilengine.script.lighting import LIGHT
@@ -187,6 +188,11 @@ class Builder(ThingBuilder):
             return []
         if statement.word == "lens":
             return [values.SetLens(place, options)]
+        if statement.word == CAMERA:
+            for word, needed in NEEDS:
+                if word in settings and not settings.keys() & set(needed):
+                    self.error("missing-property", f"{word} needs {' or '.join(needed)}", settings[word][0].place)
+            return [values.SetCamera(place, options)]
         assert what is not None and not isinstance(what, Text | Identifier | Spot)  # noqa: PT018
         layer = self.whole(what, "the layer", Range(least=-1000.0, most=1000.0))
         return [values.SetPlane(place, layer, options)]

@@ -187,7 +187,7 @@ class Parser(Pictured):
                 return self.sounding(word, place, before)
             case "set":
                 return self.changed(place, before)
-            case "background" | "plane" | "lens":
+            case "background" | "plane" | "lens" | "camera":
                 return self.picturing(word, place, before)
             case "fill" | "pour" | "drain":
                 return self.flowing(word, place, before)

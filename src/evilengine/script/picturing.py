@@ -1,4 +1,4 @@
-"""The part of the parser that reads how the picture looks: background, plane, lens."""
+"""The part of the parser that reads how the picture looks: background, plane, lens, camera."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from evilengine.values.level import Place
 
 
 class Pictured(Flowing):
-    """Readers of `background`, `plane` and `lens`."""
+    """Readers of `background`, `plane`, `lens` and `camera`."""
 
     def picturing(self, word: str, place: Place, before: int) -> Picturing:
         what: Item | None = None

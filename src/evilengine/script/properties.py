@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from evilengine.script.air import AIR_PROPERTIES
 from evilengine.script.characters import CHARACTER_PROPERTIES
+from evilengine.script.filming import CAMERA_PROPERTIES
 from evilengine.script.fluids import FLUID_PROPERTIES
 from evilengine.script.joints import JOINT_PROPERTIES
 from evilengine.script.lighting import LIGHT_PROPERTIES
@@ -154,6 +155,7 @@ PROPERTIES: tuple[Property, ...] = (
         range=Range(above=0.0, most=10_000.0), settable=True, meant=("wrap", "maxWidth")),
     *CHARACTER_PROPERTIES,
     *AIR_PROPERTIES,
+    *CAMERA_PROPERTIES,
     *LIGHT_PROPERTIES,
     *FLUID_PROPERTIES,
     *WATER_PROPERTIES,

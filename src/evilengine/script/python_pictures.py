@@ -42,6 +42,8 @@ class PythonPictures(PythonMeetings):
                     self._line("game.layers.perspective = True")
                 for name, value in said.items():
                     self._line(f"game.post.{name} = {value}")
+            case commands.SetCamera():
+                self._camera(said)
             case commands.AddLight(name=name):
                 if "direction" in said:
                     said["direction"] = Code(f"evil.Vec2(1, 0).turned({said['direction']})")
@@ -57,6 +59,21 @@ class PythonPictures(PythonMeetings):
                 with self._if_alive(*body):
                     arguments = [f"{key}={shown(value)}" for key, value in options.items()]
                     self._call(self._naming(name), "game.add_particles", arguments)
+
+    def _camera(self, said: dict[str, Code]) -> None:
+        following = [f"{name}={said.pop(name)}" for name in ("dead_zone", "smoothing") if name in said]
+        if "target" in said:
+            target = said.pop("target")
+            with self._if_alive(target):
+                self._call("", "game.camera.follow", [target, *following])
+        if "low" in said:
+            low, high = said.pop("low")[1:-1], said.pop("high")[1:-1]
+            self._line(f"game.camera.bounds = ({low}, {high})")
+        if "seconds" in said:
+            self._call("", "game.camera.glide", [f"{name}={value}" for name, value in said.items()])
+            return
+        for name, value in said.items():
+            self._line(f"game.camera.{name} = {value}")
 
     def _written(self, option: commands.Option) -> str:
         return self.angle(option.value) if option.name in _ANGLES else self.value(option.value)

@@ -83,6 +83,7 @@ def reference() -> str:
     parts.append("### Of joints\n\n" + _table(_merged(*JOINTS)))
     parts.append("### Of forces, drag and media\n\n" + _table(_merged("force", "drag", "medium")))
     parts.append("### Of backgrounds, planes and the lens\n\n" + _table(_merged("background", "plane", "lens")))
+    parts.append("### Of the camera\n\n" + _table(properties_of("camera")))
     parts.append("### Of lights\n\n" + _table(properties_of("light")))
     parts.append("### Of smoke\n\n" + _table(properties_of("smoke")))
     parts.append("### Of sources of smoke\n\n" + _table(properties_of("source")))

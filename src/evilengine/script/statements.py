@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from evilengine.script.air import AIR_STATEMENTS
+from evilengine.script.filming import CAMERA_STATEMENTS
 from evilengine.script.lighting import LIGHT_STATEMENTS
 from evilengine.script.waters import WATER_STATEMENTS
 from evilengine.script.word import Statement, Word
@@ -24,7 +25,7 @@ STATEMENTS: Mapping[str, Statement] = {
             form="view WIDTH HEIGHT;",
             doc="How much of the world the screen shows, in metres, with the origin in the middle.",
             example="view 16 9;",
-            meant=("camera", "screen", "size", "window"),
+            meant=("screen", "size", "window"),
         ),
         Statement(
             word="follow",
@@ -60,6 +61,7 @@ STATEMENTS: Mapping[str, Statement] = {
             doc="Lets the tilt of the device turn gravity. Arrow keys or the mouse wheel stand in for it.",
             example="tilt on;",
         ),
+        *CAMERA_STATEMENTS,
         *AIR_STATEMENTS,
         *LIGHT_STATEMENTS,
         Statement(

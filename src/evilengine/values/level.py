@@ -23,6 +23,7 @@ from evilengine.values.level_looks import AddParticles as AddParticles
 from evilengine.values.level_looks import Picture as Picture
 from evilengine.values.level_looks import SetAmbient as SetAmbient
 from evilengine.values.level_looks import SetBackground as SetBackground
+from evilengine.values.level_looks import SetCamera as SetCamera
 from evilengine.values.level_looks import SetLens as SetLens
 from evilengine.values.level_looks import SetPlane as SetPlane
 from evilengine.values.level_looks import SetShadows as SetShadows

@@ -35,6 +35,14 @@ class SetLens:
 
 
 @dataclass(frozen=True, slots=True)
+class SetCamera:
+    """Where the camera looks and what it follows; nobody, when that is gone."""
+
+    place: Place
+    options: tuple[Option, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class AddParticles:
     """An emitter, called `name` ("" for none); nothing, when what it follows is gone."""
 
@@ -69,5 +77,5 @@ class SetShadows:
     on: bool
 
 
-Picture: TypeAlias = SetBackground | SetPlane | SetLens | AddParticles | AddLight | SetAmbient | SetShadows
+Picture: TypeAlias = SetBackground | SetPlane | SetLens | SetCamera | AddParticles | AddLight | SetAmbient | SetShadows
 """Any of them."""
