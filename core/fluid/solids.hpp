@@ -49,6 +49,9 @@ public:
     const Field& owner() const { return owner_; }       // at corners: the slot of the nearest body + 1, or 0
     const Field& distance() const { return distance_; } // cells, at corners; negative inside a body; 1e30 far from any
     bool any() const { return !pieces_.empty(); }
+    template <class Visit> void each_piece(Visit visit) const { // visit(body, the corners of cells that it may be near)
+        for (const Seen& seen : pieces_) visit(seen.body, seen.patch);
+    }
     Pockets& pockets() { return pockets_; }
 
 private:

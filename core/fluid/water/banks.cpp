@@ -68,6 +68,8 @@ void lay_out(Water& water) {
     for (Pairs* pairs : {&s.gathered_u, &s.gathered_v, &s.gathered}) pairs->lay_out(g);
     const auto tiles = static_cast<std::size_t>(g.stride / 8);
     s.near.assign(tiles * static_cast<std::size_t>(g.ny + 1), 0);
+    s.live.assign(s.near.size(), 0);
+    s.met.assign(8 * s.near.size(), 0);
     s.marked.assign((tiles * static_cast<std::size_t>(g.ny + 3) + 2 + 7) / 8 * 8, 0);
     s.first.assign(static_cast<std::size_t>(g.stride * (g.ny + 1)), 0);
     for (int j = 0; j < g.ny; ++j) // where there was liquid, pressure is to be cleared once it left

@@ -4,6 +4,8 @@
 namespace evil::EVIL_ISA {
 
 using fluid::CellsView;
+using fluid::kFullOfFilm;
+using fluid::kFullOfSolid;
 using fluid::Tile;
 
 namespace {
@@ -11,13 +13,13 @@ namespace {
 constexpr float kHalf = 0.5f;     // of the fullness at rest: there the surface is
 constexpr float kNearest = 10.0f; // cells per distance from a cell's middle to the surface, at most
 constexpr float kDoubt = 0.1f;    // of the fullness: what a cell beside air may seem too full by
-constexpr float kSolid = 2.0f;    // fullness that stands for a solid
 
 // 1 / distance from the middle of a cell with liquid to the surface, towards one without; the edge of the box is half a
-// cell away.
+// cell away; a film lets nothing out.
 EVIL_INLINE Floats per_distance(Floats liquid, Floats air) {
     const Floats rate = (liquid - air) / max(liquid - Floats(kHalf), Floats(0.05f));
-    return select(air < Floats(kSolid), clamp(rate, 1.0f, kNearest), Floats(2.0f));
+    const Floats shut = select(air < Floats(kFullOfFilm), Floats(2.0f), Floats(0.0f));
+    return select(air < Floats(kFullOfSolid), clamp(rate, 1.0f, kNearest), shut);
 }
 
 // How easily a face's liquid is moved: it weighs what the cells beside it do.
@@ -50,7 +52,7 @@ void measure_cells(const CellsView& c, const Tile* tiles, std::size_t count, con
         const Floats some = load(particles);
         store(c.mass + at, select(some > 0.0f, load(mass) / some, Floats(1.0f)));
         const Floats per_room = load(c.per_room + at);
-        store(c.rho + at, select(per_room > 0.0f, load(particles) * per_room, Floats(kSolid)));
+        store(c.rho + at, select(per_room > 0.0f, load(particles) * per_room, Floats(kFullOfSolid)));
     }
 }
 

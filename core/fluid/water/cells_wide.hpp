@@ -4,6 +4,8 @@
 
 namespace evil::fluid {
 
+inline constexpr float kFullOfSolid = 2.0f, kFullOfFilm = 3.0f; // fullness that stands for what is no air
+
 struct SwarmView { // particles, in cells and m/s; eight more may be read and written
     std::size_t count;
     float *x, *y, *u, *v;

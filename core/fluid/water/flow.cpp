@@ -135,6 +135,7 @@ void find_liquid(const World& world, Water& water) {
     s.any_wet.resize(s.active.size());
     EVIL_PICK(set, measure_cells)(cells, s.active.data(), s.active.size(), s.gathered.data());
     EVIL_PICK(set, find_wet)(cells, s.active.data(), s.active.size(), s.any_wet.data());
+    find_gaps(world, water);
     s.wet_tiles.clear();
     s.press.begin();
     for (std::size_t k = 0; k < s.active.size(); ++k)

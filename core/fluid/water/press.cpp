@@ -8,6 +8,7 @@ namespace {
 constexpr int kCoarsest = 4;         // cells each way that sweeps alone solve well
 constexpr int kCoarsestSweeps = 6;   // there
 constexpr float kSilent = 1e-6f;     // m/s: what may be left in each cell whatever is asked for
+constexpr float kPiston = 0.5f;      // faces that a body has more of on one side
 constexpr float kCoarseDrain = 0.5f; // air is twice as far, on a level twice as coarse
 
 void clear_tiles(PressLevel& level) {
@@ -135,6 +136,20 @@ void Press::add_riders(const Riders& riders, const float* p, float* result, doub
     }
 }
 
+namespace {
+
+// Does a free body make room as it moves? One that is wet all round does not.
+bool has_piston(const Riders& riders) {
+    return std::ranges::any_of(riders.all, [&](const Rider& rider) {
+        Vec2 sum;
+        for (const Reach& reach : riders.reaches.subspan(rider.first, rider.last - rider.first))
+            sum += {reach.x, reach.y};
+        return rider.free && length_squared(sum) > kPiston * kPiston;
+    });
+}
+
+} // namespace
+
 int Press::solve(const Field& b, Field& p, const Riders& riders, float tolerance, int most_rounds, InstructionSet set) {
     PressLevel& fine = levels_[0];
     const PressView view = fine.view();
@@ -145,7 +160,8 @@ int Press::solve(const Field& b, Field& p, const Riders& riders, float tolerance
     for (const Tile& tile : fine.tiles)
         for (std::ptrdiff_t at = tile.at; at < tile.at + 8; ++at)
             if (fine.inverse[at] > 0.0f) mean += b[at], cells += 1.0f;
-    mean = closed_ && cells > 0.0f ? mean / cells : 0.0f; // what no flow can even out is left alone
+    // what no flow and no piston can even out is left alone
+    mean = closed_ && cells > 0.0f && !has_piston(riders) ? mean / cells : 0.0f;
     for (const Tile& tile : fine.tiles)
         for (std::ptrdiff_t at = tile.at; at < tile.at + 8; ++at) {
             const float wanted = fine.inverse[at] > 0.0f ? b[at] - mean : 0.0f;

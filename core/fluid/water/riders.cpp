@@ -1,7 +1,6 @@
 // Bodies in the pressure's equation (Batty, Bertails and Bridson 2007): what they close of cells' faces moves as they do,
 // and pressure moves those that are free.
-#include "fluid/water/scratch.hpp"
-#include "world.hpp"
+#include "fluid/water/finder.hpp"
 #include <algorithm>
 
 namespace evil::fluid {
@@ -16,53 +15,6 @@ float heaviest(const Water& water) {
     for (const Liquid& liquid : water.liquids) most = std::max(most, liquid.density);
     return most;
 }
-
-class Finder {
-public:
-    Finder(const World& world, Water& water) : world_(world), water_(water), s_(*water.scratch), g_(water.grid) {}
-
-    void look_at(int i, int j) {
-        const std::ptrdiff_t at = g_.at(i, j), s = g_.stride;
-        if (s_.wet[at] == 0.0f) return;
-        count_ = 0;
-        const Field &across = s_.solids.across(), &up = s_.solids.up();
-        const auto x = static_cast<float>(i), y = static_cast<float>(j);
-        if (i > 0) add(1.0f - across[at], at, at + s, {-1.0f, 0.0f}, {x, y + 0.5f});
-        if (i + 1 < g_.nx) add(1.0f - across[at + 1], at + 1, at + s + 1, {1.0f, 0.0f}, {x + 1.0f, y + 0.5f});
-        if (j > 0) add(1.0f - up[at], at, at + 1, {0.0f, -1.0f}, {x + 0.5f, y});
-        if (j + 1 < g_.ny) add(1.0f - up[at + s], at + s, at + s + 1, {0.0f, 1.0f}, {x + 0.5f, y + 1.0f});
-        for (int k = 0; k < count_; ++k) {
-            found_[k].at = static_cast<std::int32_t>(at);
-            s_.unsorted_reaches.push_back(found_[k]);
-        }
-    }
-
-private:
-    // A face between two corners of cells, its direction out of the cell.
-    void add(float closed, std::ptrdiff_t a, std::ptrdiff_t b, Vec2 out, Vec2 middle) {
-        if (closed <= 0.0f) return;
-        const Field &distance = s_.solids.distance(), &owner = s_.solids.owner();
-        const float number = distance[a] < distance[b] ? owner[a] : owner[b];
-        if (number == 0.0f) return;
-        const std::uint32_t slot = static_cast<std::uint32_t>(number) - 1;
-        const Body& body = world_.bodies.rows[slot];
-        if (!moves(body)) return;
-        int k = 0;
-        while (k < count_ && found_[k].body != slot) ++k;
-        if (k == count_) found_[count_++] = {0, 0.0f, 0.0f, 0.0f, slot};
-        const Vec2 arm = g_.low + g_.h * middle - body.centre;
-        found_[k].x += closed * out.x;
-        found_[k].y += closed * out.y;
-        found_[k].turn += closed * cross(arm, out);
-    }
-
-    const World& world_;
-    Water& water_;
-    WaterScratch& s_;
-    const Grid& g_;
-    Reach found_[4];
-    int count_ = 0;
-};
 
 // Reaches by body, in the order of their cells.
 void sort_reaches(WaterScratch& s, std::size_t bodies) {
@@ -121,7 +73,10 @@ void find_riders(const World& world, Water& water, float dt) {
     Finder finder(world, water);
     for (const Tile& tile : s.wet_tiles)
         if (s.near[static_cast<std::size_t>(tile.at / 8)])
-            for (int i = tile.i; i < std::min(tile.i + 8, g.nx); ++i) finder.look_at(i, tile.j);
+            for (int i = tile.i; i < std::min(tile.i + 8, g.nx); ++i)
+                if (s.wet[g.at(i, tile.j)] > 0.0f)
+                    for (const Reach& reach : finder.look_at(i, tile.j)) s.unsorted_reaches.push_back(reach);
+    add_films(world, water);
     sort_reaches(s, world.bodies.rows.size());
     const float per_push = heaviest(water) * g.h * g.h;
     for (Rider& rider : s.riders) {

@@ -18,6 +18,23 @@ struct Swarm {
     std::size_t count = 0;
 };
 
+// A body's outline as cells see it: closed, so that what no open cell sees is the negative of the sum of what they do.
+struct Loop {
+    Vec2 seen;                // sum of closed shares of faces, by direction
+    Vec2 right_up, left_down; // sums of the directions in which others touch it
+    bool in_water = false;
+    Patch patch; // of the grid's corners
+};
+struct Touch { // where something is less than a cell from a body
+    std::uint32_t body;
+    std::int32_t at; // the wet cell nearest to it; negative: there is air
+    Vec2 arm, into;  // from the body's centre; the direction into the body
+};
+
+struct GapCell {
+    std::int32_t at, end; // the wet cell nearest to it
+};
+
 // Pairs of numbers on a grid: sums of weight times value, and of weights.
 class Pairs {
 public:
@@ -74,22 +91,30 @@ struct WaterScratch {
     std::vector<std::uint32_t> first;  // of each cell's particles in the swarm
 
     Pairs gathered_u, gathered_v, gathered;
-    Field u, v;             // m/s on faces
-    Field shift_u, shift_v; // cells on faces: what keeps the volume
-    Field rho;              // how full cells are of particles, 1 at rest; 2 in a solid
-    Field wet;              // 1 in cells with liquid
-    Field mass;             // of what is in a cell, as a share of the heaviest liquid's
-    Field skin;             // pressure that the surface has by its tension; 0 without
-    Field inflow;           // of cells, and what else pressure shall bring about
-    Field spread;           // the pressure that moves particles apart
+    Field u, v;                          // m/s on faces
+    Field shift_u, shift_v;              // cells on faces: what keeps the volume
+    Field rho;                           // how full cells are of particles, 1 at rest; 2 in a solid
+    Field wet;                           // 1 in cells with liquid
+    Field mass;                          // of what is in a cell, as a share of the heaviest liquid's
+    Field skin;                          // pressure that the surface has by its tension; 0 without
+    Field inflow;                        // of cells, and what else pressure shall bring about
+    Field spread;                        // the pressure that moves particles apart
+    std::vector<std::uint8_t> live;      // by tile, while gaps are looked for: is it active?
+    std::vector<std::uint32_t> met;      // by cell: in which gap's turn
+    std::vector<std::int32_t> met_cells; // all of those
+    std::vector<GapCell> gap, found;     // of one gap
+    std::vector<std::int32_t> dried;     // cells
     Press press;
     ThickScratch thick;
     Field viscosity, tension; // of what is in cells; empty until there is any
     bool has_skin = false;
     std::vector<Reach> reaches, unsorted_reaches;
+    std::vector<Reach> film_reaches; // of gaps
     std::vector<Rider> riders;
     std::vector<std::uint32_t> reaches_of; // by body
     std::vector<Afloat> afloat;
+    std::vector<Loop> loops;           // by body
+    std::vector<Touch> touches;        // of those that are wet
     int rounds = 0, spread_rounds = 0; // that the pressures took
     CellsView view(const Water& water);
 };
@@ -112,6 +137,7 @@ void give_out(const World& world, Water& water, float dt);
 // flow.cpp: from particles to faces and back; what pressure does to them.
 void gather_flow(const World& world, Water& water, float dt);
 void find_liquid(const World& world, Water& water);
+void find_gaps(const World& world, Water& water); // gaps.cpp
 void press_flow(World& world, Water& water, float dt);
 void scatter_flow(const World& world, Water& water, float dt);
 
@@ -123,5 +149,6 @@ void drop_skin(Water& water);
 // riders.cpp: bodies in the pressure's equation.
 void find_riders(const World& world, Water& water, float dt);
 void push_riders(World& world, Water& water, float dt);
+void add_films(const World& world, Water& water); // films.cpp
 
 } // namespace evil::fluid
