@@ -87,6 +87,25 @@ def test_references_live_through_a_restore_as_those_of_bodies_do() -> None:
         later.add_source(radius=1)
 
 
+def test_a_smoke_of_another_history_is_not_taken_for_the_one_that_is_restored() -> None:
+    world = evil.World()
+    before = world.snapshot()
+    here = world.add_smoke((0, 0, 1, 1), cells=8)
+    here.add_source(at=(0.5, 0.5), radius=0.2)
+    data = world.snapshot()
+    world.restore(before)
+    other = world.add_smoke((0, 0, 1, 1), cells=16)
+    world.restore(data)
+    assert not other.alive
+    assert world.smokes[0].cells == (8, 8)
+    world.restore(before)
+    again = world.add_smoke((0, 0, 1, 1), cells=8)
+    source = again.add_source(at=(0.5, 0.5), radius=0.1)
+    world.restore(data)
+    assert again.alive
+    assert not source.alive
+
+
 def test_a_light_ball_rides_the_draught_and_a_heavy_one_does_not() -> None:
     world = evil.World(gravity=(0, 0))
     smoke = world.add_smoke((0, 0, 4, 2), cells=64, open_sides="left right", wind=(2, 0), wind_pull=5, weight=1)

@@ -64,6 +64,16 @@ def test_a_fire_lights_what_is_round_it_and_goes_out() -> None:
     assert pixels(game)[80, 30].sum() < before + 10
 
 
+def test_a_fire_has_its_lamp_whether_anybody_looks_or_not() -> None:
+    game, smoke = a_game()
+    np.asarray(smoke.temperature)[12:20, 12:20] = 2.0
+    game.step()
+    lamps = len(game.lights)
+    assert lamps == 1
+    pixels(game)
+    assert len(game.lights) == lamps, "drawing makes none"
+
+
 def test_colours_of_two_sources_stay_apart() -> None:
     game, smoke = a_game()
     smoke.add_source(at=(-1, 2), radius=0.4, rate=20, colour="red")

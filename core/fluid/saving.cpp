@@ -82,20 +82,35 @@ void settle_fluids(World& world) {
             make_numbers(*world.fluids.smokes[i]->views);
 }
 
+namespace {
+
+// Were both made at once, and of the same? Another history may have made others in their place (identity.hpp); what never
+// changes afterwards tells them apart.
+bool made_alike(const Smoke& a, const Smoke& b) {
+    return a.serial == b.serial && a.born == b.born && a.grid.nx == b.grid.nx && a.grid.ny == b.grid.ny &&
+           a.grid.low == b.grid.low && a.grid.h == b.grid.h && a.method == b.method && a.quality == b.quality &&
+           a.open == b.open && a.side_speeds == b.side_speeds && a.stick == b.stick && a.colour == b.colour;
+}
+bool made_alike(const fluid::Source& a, const fluid::Source& b) {
+    return a.serial == b.serial && a.born == b.born && a.smoke == b.smoke && a.body == b.body &&
+           a.area.centre == b.area.centre && a.area.radius == b.area.radius && a.area.parts == b.area.parts;
+}
+
+} // namespace
+
 void restore_fluids(Fluids& now, SavedFluids& saved) {
     Fluids& then = saved.fluids;
     auto same_smoke = [&](std::uint32_t i) {
         return i < now.smokes.size() && now.smokes[i] && saved.smoke_taken[i] &&
-               now.smokes[i]->serial == then.smokes[i]->serial && now.smokes[i]->born == then.smokes[i]->born;
+               made_alike(*now.smokes[i], *then.smokes[i]);
     };
     auto same_source = [&](std::uint32_t i) {
-        return now.source_slots.taken(i) && saved.source_taken[i] && now.sources[i].serial == then.sources[i].serial &&
-               now.sources[i].born == then.sources[i].born;
+        return now.source_slots.taken(i) && saved.source_taken[i] && made_alike(now.sources[i], then.sources[i]);
     };
     std::vector<bool> smokes(saved.smoke_taken.size()), sources(saved.source_taken.size());
     for (std::uint32_t i = 0; i < smokes.size(); ++i) {
         smokes[i] = same_smoke(i);
-        if (!smokes[i] || now.smokes[i]->views->content.size() != then.smokes[i]->views->content.size()) continue;
+        if (!smokes[i]) continue;
         fluid::Views &shown = *now.smokes[i]->views, &read = *then.smokes[i]->views;
         std::ranges::copy(read.content, shown.content.begin());
         std::ranges::copy(read.velocity, shown.velocity.begin());

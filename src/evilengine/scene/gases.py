@@ -105,15 +105,24 @@ class Gases:
         look.smoke = smoke
         self._looks.append(look)
 
+    def step(self) -> None:
+        """Bring the lamps of their fires up to the world's step."""
+        self._drop_gone()
+        for look in self._looks:
+            if look.smoke is not None:
+                self._shine(look, look.smoke)
+
     def refresh(self) -> None:
-        """Bring pictures and lights up to the last step."""
-        self._looks = [look for look in self._looks if look.smoke is not None and look.smoke.alive]
+        """Bring pictures up to the last step."""
+        self._drop_gone()
         steps = self._scene.world.steps
         for look in self._looks:
             if look.step != steps and look.smoke is not None:
                 look.step = steps
                 look.paint(look.smoke)
-                self._shine(look, look.smoke)
+
+    def _drop_gone(self) -> None:
+        self._looks = [look for look in self._looks if look.smoke is not None and look.smoke.alive]
 
     def _shine(self, look: Look, smoke: Smoke) -> None:
         """The fire's lamp: where the heat is, as bright as there is much of it."""

@@ -255,8 +255,9 @@ class Scene(Shown):
         return tuple(self._emitters)
 
     def step(self) -> None:
-        """What moves by itself moves on by one step of the world, after that: particles, foam."""
+        """What moves by itself moves on by one step of the world, after that: particles, foam, the lamps of fires."""
         self.waters.step()
+        self.gases.step()
         for emitter in tuple(self._emitters):
             emitter._step()
 
