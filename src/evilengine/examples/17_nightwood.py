@@ -16,9 +16,8 @@ def tree(x, width, **looks):
     game.draw(evil.Polygon([(x - width, -6), (x + width, -6), (x + 0.4 * width + lean, 7), (x + lean, 7)]), **looks)
     for branch in range(5):
         y, reach = -1.2 + 1.6 * branch + dice.uniform(-0.4, 0.4), dice.choice((-1, 1)) * dice.uniform(1.2, 2.8)
-        x0, rise = x + lean * (y + 6) / 13, 0.2 * abs(reach)
-        tip, elbow = y + dice.uniform(1.5, 3) * rise, x0 + 0.55 * reach
-        bend = [(elbow, y + rise), (x0 + reach, tip), (elbow, y + rise + 0.12)]
+        x0, rise, half = x + lean * (y + 6) / 13, 0.2 * abs(reach), 0.55 * reach
+        bend = [(x0 + half, y + rise), (x0 + reach, y + dice.uniform(1.5, 3) * rise), (x0 + half, y + rise + 0.12)]
         game.draw(evil.Polygon([(x0, y - 0.3 * width), *bend, (x0, y + 0.45 * width)]), **looks)
 
 
@@ -37,6 +36,8 @@ for x, y, half in ((1, 1.6, 1.6), (-5, 2.4, 1.1)):  # boughs that hang and swing
     bough.draw(evil.Polygon([(-half, 0), (0, 4.95), (half, 0), (0.03, 5), (-0.03, 5)]), colour="#12100e")
     game.world.add_joint(evil.joints.Hinge(bough, earth, at=(x, y + 5)))
 game.drive(hero := game.add_character(evil.Capsule((0, -0.45), (0, 0.45), 0.28), at=(-6, -2.5), colour="#07090c"))
+for x in (-0.09, 0.09):  # eyes
+    hero.body.draw(evil.Circle(0.042), at=(x, 0.48), colour="#e8f4ff", layer=1)
 lamp = game.add(evil.Circle(0.13), at=(-5.4, -2.7), colour="#fff0c4", sensor=True, density=2)
 game.world.add_joint(evil.joints.Rope(hero.body, lamp, length=0.55))
 game.add_light(body=lamp, radius=9, size=0.2, temperature=2600, intensity=3.2)
@@ -53,8 +54,7 @@ def wander(dt):
     for n, (light, glow) in enumerate(zip(flies, glows, strict=True)):
         time = game.world.steps * (0.0022 + 0.0005 * n) + 2.4 * n
         light.at = glow.at = (7 * math.sin(time) + 2 * math.sin(2.7 * time), -1.6 + 1.4 * math.cos(1.9 * time + n))
-    game.camera.position = (0.25 * hero.position.x, 0)
-    game.layers[-3].shafts.at = (5.5 + 0.1 * hero.position.x, 3.6)  # the moon, as seen from the layer of the rays
+    game.camera.position, game.layers[-3].shafts.at = (0.25 * hero.position.x, 0), (5.5 + 0.1 * hero.position.x, 3.6)
 
 
 game.run()
