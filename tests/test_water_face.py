@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from typing import Any
 
 import numpy as np
@@ -133,6 +134,16 @@ def test_a_stream_inside_a_solid_brings_nothing_until_that_goes() -> None:
     rock.destroy()
     run(world, 30)
     assert 20 < water.count < 90, "what waited was at most what its square holds"
+
+
+def test_a_torrent_as_wide_as_the_world_does_not_hold_up_a_step() -> None:
+    world, water = pool()
+    water.pour((2, 1), 1e5, radius=1e4)
+    for _ in range(3):
+        began = time.perf_counter()
+        run(world, 1)
+        assert time.perf_counter() - began < 2
+    assert 400 < water.count < 1300
 
 
 def test_a_stream_outside_the_box_brings_nothing() -> None:

@@ -10,6 +10,7 @@ namespace {
 constexpr float kApart = 0.75f; // of a particle: new ones keep so far from others, or the pressure would throw them off
 constexpr float kBank = 0.125f; // cells: and so far from bodies
 constexpr int kTries = 3;       // spots that are looked at for each particle that is due
+constexpr float kMostDue = 4096.0f; // particles of one stream in a step: a torrent may not hold up the frame
 
 // The n-th of a row of points that fill a unit cube evenly wherever the row is cut: multiples of the powers of the root
 // of x^4 = x + 1 (the recurrence that Kronecker's theorem makes dense), in whole numbers, so exact.
@@ -98,10 +99,16 @@ void put(Water& water, Vec2 at, Vec2 velocity, std::uint32_t liquid) {
 
 void pour(const World& world, Water& water, Stream& s, float dt) {
     const float size = water.particle_size;
-    const Box box = box_of(s.area);
-    const Vec2 extent = box.high - box.low;
     const Pose pose = pose_of(s, world);
-    const float most = 1.0f + extent.x * extent.y / (size * size);
+    Box box = box_of(s.area);
+    if (s.body == kNone) {
+        const Grid& g = water.grid;
+        box = {max(box.low, g.low),
+               min(box.high, g.low + g.h * Vec2{static_cast<float>(g.nx), static_cast<float>(g.ny)})};
+    }
+    const Vec2 extent = box.high - box.low;
+    if (!(extent.x > 0.0f && extent.y > 0.0f)) return;
+    const float most = std::min(1.0f + extent.x * extent.y / (size * size), kMostDue);
     s.due = std::min(s.due + s.rate * dt / (size * size), most);
     if (s.due < 1.0f) return;
     Box round = turned(box, pose);
