@@ -16,8 +16,8 @@ for x, y, radius, shade in ((4.4, 3, 0.6, "#fff3c4"), (-4, -1.4, 3.4, "#a9cf8f")
 game.draw(evil.Rectangle(11.4, 4.2), at=(0, -1.65), colour="#d3e8e2", layer=-4, **plain)
 for row in range(7):
     for column in range(-10, 11):
-        at, shade = (0.56 * column + 0.28 * (row % 2), 0.5 * row - 3.2), (3 * row + 5 * column) % 4
-        game.draw(evil.Rectangle(0.53, 0.47), at=at, colour="#a8d3d4" if shade else "#8fc4c9", layer=-3, **plain)
+        at, dark = (0.56 * column + 0.28 * (row % 2), 0.5 * row - 3.2), (3 * row + 5 * column) % 4 == 0
+        game.draw(evil.Rectangle(0.53, 0.47), at=at, colour="#8fc4c9" if dark else "#a8d3d4", layer=-3, **plain)
 for x, y, wide, high in ((0, -3.9, 14, 1), (-6, -0.4, 1, 7.2), (6, -1.6, 1, 5), (-5.1, 2.95, 1.7, 0.34)):
     game.add(evil.Rectangle(wide, high, rounding=0.06), at=(x, y), kind="static", colour="#8c8175", **plain)
 post = game.add(evil.Rectangle(0.3, 4.6), at=(-3.2, -1), sensor=True, kind="static", colour="#6e5338", layer=-2)
