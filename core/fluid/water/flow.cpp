@@ -9,7 +9,7 @@ namespace {
 constexpr float kTolerance = 1e-3f;      // of the divergence, that pressure leaves
 constexpr float kSpreadTolerance = 0.1f; // of the crowding
 constexpr float kSpreadShare = 0.2f;     // of the crowding that one step takes away
-constexpr int kMostRounds = 60, kMostSpreadRounds = 6;
+constexpr int kMostRounds = 36, kMostSpreadRounds = 6;
 
 SwarmView view_of(Swarm& swarm) {
     return {swarm.count,

@@ -8,7 +8,7 @@ namespace {
 constexpr int kCoarsest = 4;         // cells each way that sweeps alone solve well
 constexpr int kCoarsestSweeps = 6;   // there
 constexpr float kSilent = 1e-6f;     // m/s: what may be left in each cell whatever is asked for
-constexpr float kPiston = 0.5f;      // faces that a body has more of on one side
+constexpr float kGives = 0.1f;       // faces by which a pocket grows, a cell that a body moves
 constexpr float kCoarseDrain = 0.5f; // air is twice as far, on a level twice as coarse
 
 void clear_tiles(PressLevel& level) {
@@ -82,6 +82,7 @@ void Press::lay_out(const Grid& grid) {
                2.0f * now.h}; // a tile's sixteen cells are in one row
     }
     search_.lay_out(grid), image_.lay_out(grid);
+    pocket_of_.assign(static_cast<std::size_t>(grid.stride * (grid.ny + 1)), 0);
 }
 
 void Press::begin() {
@@ -90,14 +91,84 @@ void Press::begin() {
 }
 
 void Press::finish(InstructionSet) {
-    float drained = 0.0f;
-    for (const Tile& tile : levels_[0].tiles)
-        for (int k = 0; k < 8; ++k) drained += levels_[0].drain[tile.at + k];
-    closed_ = drained == 0.0f;
+    find_pockets();
     for (std::size_t k = 1; k < levels_.size(); ++k) {
         find_tiles(levels_[k - 1], levels_[k]);
         coarsen(levels_[k - 1], levels_[k]);
     }
+}
+
+void Press::find_pockets() {
+    const PressLevel& fine = levels_[0];
+    joined_.clear();
+    auto first_of = [&](std::int32_t pocket) {
+        while (joined_[static_cast<std::size_t>(pocket)] != pocket) pocket = joined_[static_cast<std::size_t>(pocket)];
+        return pocket;
+    };
+    auto join = [&](std::int32_t a, std::int32_t b) {
+        a = first_of(a), b = first_of(b);
+        joined_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+        return std::min(a, b);
+    };
+    auto each_cell = [&](auto visit) {
+        for (const Tile& tile : fine.tiles)
+            for (std::ptrdiff_t at = tile.at; at < tile.at + 8; ++at)
+                if (fine.inverse[at] > 0.0f) visit(at, pocket_of_[static_cast<std::size_t>(at)]);
+    };
+    each_cell([&](std::ptrdiff_t at, std::int32_t& mine) {
+        const bool left = fine.left[at] > 0.0f, below = fine.below[at] > 0.0f;
+        if (left) mine = pocket_of_[static_cast<std::size_t>(at - 1)];
+        if (below) {
+            const std::int32_t other = pocket_of_[static_cast<std::size_t>(at - fine.grid.stride)];
+            mine = left && mine != other ? join(mine, other) : other;
+        }
+        if (left || below) return;
+        mine = static_cast<std::int32_t>(joined_.size());
+        joined_.push_back(mine);
+    });
+    for (std::size_t k = 0; k < joined_.size(); ++k) joined_[k] = joined_[static_cast<std::size_t>(joined_[k])];
+    pockets_.assign(joined_.size(), {});
+    each_cell([&](std::ptrdiff_t at, std::int32_t& mine) {
+        mine = joined_[static_cast<std::size_t>(mine)];
+        Pocket& pocket = pockets_[static_cast<std::size_t>(mine)];
+        pocket.cells += 1.0f;
+        pocket.drained = pocket.drained || fine.drain[at] > 0.0f;
+    });
+    any_closed_ = std::ranges::any_of(pockets_, [](const Pocket& p) { return p.cells > 0.0f && !p.drained; });
+}
+
+void Press::balance(const Field& b, const Riders& riders) {
+    PressLevel& fine = levels_[0];
+    for (const Tile& tile : fine.tiles)
+        for (std::ptrdiff_t at = tile.at; at < tile.at + 8; ++at) fine.b[at] = fine.inverse[at] > 0.0f ? b[at] : 0.0f;
+    if (!any_closed_) return;
+    for (Pocket& pocket : pockets_) pocket.sum = 0.0f, pocket.gives_way = pocket.drained;
+    for (const Rider& rider : riders.all) {
+        if (!rider.free) continue;
+        auto each_pocket = [&](auto visit) {
+            for (std::uint32_t k = rider.first; k < rider.last; ++k) {
+                const auto at = static_cast<std::size_t>(riders.reaches[k].at);
+                visit(pockets_[static_cast<std::size_t>(pocket_of_[at])], riders.reaches[k]);
+            }
+        };
+        each_pocket([](Pocket& pocket, const Reach& reach) { pocket.x += reach.x, pocket.y += reach.y; });
+        each_pocket([&](Pocket& pocket,
+                        const Reach&) { // one that swims in it leaves its room as it is, and so does one that is held
+            const Vec2 way{pocket.x, pocket.y}, free = way - dot(rider.stop, way) * rider.stop;
+            pocket.gives_way = pocket.gives_way || std::abs(free.x) + std::abs(free.y) > kGives;
+        });
+        each_pocket([](Pocket& pocket, const Reach&) { pocket.x = pocket.y = 0.0f; });
+    }
+    auto each_stiff = [&](auto visit) {
+        for (const Tile& tile : fine.tiles)
+            for (std::ptrdiff_t at = tile.at; at < tile.at + 8; ++at) {
+                if (fine.inverse[at] == 0.0f) continue;
+                Pocket& pocket = pockets_[static_cast<std::size_t>(pocket_of_[static_cast<std::size_t>(at)])];
+                if (!pocket.gives_way) visit(fine.b[at], pocket);
+            }
+    };
+    each_stiff([](const float& value, Pocket& pocket) { pocket.sum += value; });
+    each_stiff([](float& value, const Pocket& pocket) { value -= pocket.sum / pocket.cells; });
 }
 
 void Press::cycle(std::size_t number, InstructionSet set) {
@@ -136,40 +207,26 @@ void Press::add_riders(const Riders& riders, const float* p, float* result, doub
     }
 }
 
-namespace {
-
-// Does a free body make room as it moves? One that is wet all round does not.
-bool has_piston(const Riders& riders) {
-    return std::ranges::any_of(riders.all, [&](const Rider& rider) {
-        Vec2 sum;
-        for (const Reach& reach : riders.reaches.subspan(rider.first, rider.last - rider.first))
-            sum += {reach.x, reach.y};
-        return rider.free && length_squared(sum) > kPiston * kPiston;
-    });
-}
-
-} // namespace
-
 int Press::solve(const Field& b, Field& p, const Riders& riders, float tolerance, int most_rounds, InstructionSet set) {
     PressLevel& fine = levels_[0];
     const PressView view = fine.view();
-    float asked = 0.0f, mean = 0.0f, cells = 0.0f;
     double energy = 0.0;
+    balance(b, riders);
+    const float asked = EVIL_PICK(set, press_dot)(view, fine.b.data(), fine.b.data());
     EVIL_PICK(set, press_apply)(view, p.data(), image_.data());
     add_riders(riders, p.data(), image_.data(), &energy);
+    float cells = 0.0f;
+    for (const Pocket& pocket : pockets_) cells += pocket.cells;
     for (const Tile& tile : fine.tiles)
         for (std::ptrdiff_t at = tile.at; at < tile.at + 8; ++at)
-            if (fine.inverse[at] > 0.0f) mean += b[at], cells += 1.0f;
-    // what no flow and no piston can even out is left alone
-    mean = closed_ && cells > 0.0f && !has_piston(riders) ? mean / cells : 0.0f;
-    for (const Tile& tile : fine.tiles)
-        for (std::ptrdiff_t at = tile.at; at < tile.at + 8; ++at) {
-            const float wanted = fine.inverse[at] > 0.0f ? b[at] - mean : 0.0f;
-            asked += wanted * wanted;
-            fine.b[at] = fine.inverse[at] > 0.0f ? wanted - image_[at] : 0.0f;
-        }
+            if (fine.inverse[at] > 0.0f) fine.b[at] -= image_[at];
     const float enough = std::max(tolerance * tolerance * asked, kSilent * kSilent * cells);
     float left = EVIL_PICK(set, press_dot)(view, fine.b.data(), fine.b.data()), before = 1.0f;
+    if (left > asked) { // what was is farther off than nothing at all
+        for (const Tile& tile : fine.tiles) std::fill_n(p.data() + tile.at, 8, 0.0f);
+        balance(b, riders);
+        left = asked;
+    }
     int round = 0;
     for (; round < most_rounds && left > enough; ++round) {
         cycle(0, set);

@@ -67,10 +67,24 @@ public:
 
 private:
     void cycle(std::size_t level, InstructionSet set);
+    void find_pockets();
+    void balance(const Field& b,
+                 const Riders& riders); // the finest level's b becomes this one, as far as a flow can bring it about
     void add_riders(const Riders& riders, const float* p, float* result, double* energy) const;
     std::vector<PressLevel> levels_;
     Field search_, image_; // of the conjugate gradients; the residual is the finest level's b
-    bool closed_ = false;  // no air anywhere: pressure is known but for a constant
+
+    // Cells that are joined by open faces. Where no air is and no body gives way, what they gather on the whole stays: no
+    // pressure could change it.
+    struct Pocket {
+        float sum = 0.0f, cells = 0.0f;
+        float x = 0.0f, y = 0.0f; // by how much it grows when a body moves that way
+        bool drained = false, gives_way = false;
+    };
+    std::vector<std::int32_t> pocket_of_; // by cell
+    std::vector<std::int32_t> joined_;    // pockets to lower ones
+    std::vector<Pocket> pockets_;
+    bool any_closed_ = false;
 };
 
 } // namespace evil::fluid
