@@ -32,7 +32,8 @@ template <class T> Memory memory_of(const std::shared_ptr<const void>& owner, co
     return {owner, values.data(), values.size() * sizeof(T)};
 }
 
-nb::tuple to_tuple(const draw::Interlude& interlude, const draw::Interludes& all) {
+nb::tuple to_tuple(const draw::Interlude& interlude, const draw::Interludes& all,
+                   const std::shared_ptr<gpu::Frame>& frame) {
     switch (interlude.kind) {
     case draw::InterludeKind::blur: {
         const raster::Depth depth = raster::depth_of(interlude.radius);
@@ -54,8 +55,7 @@ nb::tuple to_tuple(const draw::Interlude& interlude, const draw::Interludes& all
     case draw::InterludeKind::liquid: {
         const draw::LiquidMap& map = all.liquids[interlude.first];
         nb::list planes;
-        for (const std::vector<std::uint16_t>& plane : gpu::pack_liquid(map))
-            planes.append(nb::bytes(plane.data(), plane.size() * sizeof(std::uint16_t)));
+        for (const gpu::Halves& plane : frame->liquids[interlude.first]) planes.append(memory_of(frame, plane));
         return nb::make_tuple("liquid", nb::make_tuple(map.stride, map.height), nb::tuple(planes),
                               nb::make_tuple(map.first.x, map.first.y, 1.0f / map.step),
                               nb::make_tuple(map.width, map.height), 1.0f / map.rim_width, map.lit);
@@ -117,7 +117,7 @@ public:
         nb::list batches;
         for (const gpu::Batch& batch : frame_->batches) {
             if (batch.interlude) {
-                batches.append(to_tuple(*batch.interlude, list.interludes));
+                batches.append(to_tuple(*batch.interlude, list.interludes, frame_));
                 continue;
             }
             if (batch.sprites) {

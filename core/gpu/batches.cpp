@@ -83,6 +83,9 @@ void collect(Frame& frame, Shapes& shapes, Scratch& scratch, const draw::DrawLis
     frame.quads.clear(), frame.sprites.clear(), frame.edges.clear();
     frame.specks = list.interludes.specks;
     frame.batches.clear();
+    const std::uint32_t liquids = list.interludes.liquid_count;
+    if (frame.liquids.size() < liquids) frame.liquids.resize(liquids);
+    for (std::uint32_t i = 0; i < liquids; ++i) pack_liquid(list.interludes.liquids[i], frame.liquids[i]);
     Context context{frame, shapes, scratch, list, pictures, {0, 0, width, height}};
     Run run;
     auto interlude = list.interludes.rows.begin();

@@ -8,8 +8,9 @@
 namespace evil::gpu {
 
 using Halves = std::vector<std::uint16_t>;
+using PackedLiquid = std::array<Halves, 3>;
 
 // Depth, displacement and rim; what comes through; own colour. Rows are as long as the map's, padding included.
-std::array<Halves, 3> pack_liquid(const draw::LiquidMap& map);
+void pack_liquid(const draw::LiquidMap& map, PackedLiquid& to);
 
 } // namespace evil::gpu

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from evilengine import _core
 from evilengine.renderer.gl.device import GraphicsDevice, Target, Texture
 from evilengine.renderer.gl.programs import Programs
 
@@ -26,7 +27,7 @@ class Liquids:
         light: Sequence[tuple[str, Texture]],
         light_place: tuple[float, float, float, float],
         size: tuple[int, int],
-        planes: Sequence[bytes],
+        planes: Sequence[_core.Memory],
         place: tuple[float, float, float],
         used: tuple[int, int],
         rim: float,
