@@ -1,6 +1,7 @@
 #pragma once
 // What a graphics card is given for one frame: a quad round each thing to draw, in runs that one draw call can take, and
 // the edges and facets that its fragment shader reads. renderer/shaders/shape.vert and shape.frag say what they do with it.
+#include "draw/draw_list.hpp"
 #include "gpu/liquid.hpp"
 #include <array>
 #include <cstdint>
@@ -100,8 +101,8 @@ struct Batch { // quads of one draw call, or an interlude between such
 struct Frame { // results: valid until the next one
     std::vector<Quad> quads;
     std::vector<Sprite> sprites;
-    std::vector<draw::Speck> specks;
-    std::vector<PackedLiquid> liquids; // as many as the list has, and perhaps more // the draw list's
+    std::vector<draw::Speck> specks;   // the draw list's
+    std::vector<PackedLiquid> liquids; // as many as the list has, and perhaps more
     std::vector<Batch> batches;
     std::vector<Texel>
         edges; // x0 y0 x1 y1 in pixels, for Cover::pixel_edges; they follow the meshes' in the data texture

@@ -1,6 +1,6 @@
-#include "particles/foam.hpp"
 #include "archive.hpp"
 #include "draw/layers.hpp"
+#include "particles/foam.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -89,6 +89,12 @@ Round look_round(const Foam& foam, const Grid& grid, Vec2 place) {
     return round;
 }
 
+bool is_walled(const Grid& grid, const Waters& waters, int x, int y) { // is the middle of a cell beyond a wall?
+    const Vec2 at = grid.low + grid.cell * Vec2{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
+    return (waters.closed[0] && at.x < waters.low.x) || (waters.closed[1] && at.x > waters.high.x) ||
+           (waters.closed[2] && at.y < waters.low.y) || (waters.closed[3] && at.y > waters.high.y);
+}
+
 // How many flecks a second a particle throws up. Speeds are told by what falls here.
 float births(const Foam& foam, const Grid& grid, const Waters& waters, std::size_t i, float fast) {
     const Vec2 at = waters.at[i], velocity = waters.velocity[i];
@@ -101,12 +107,14 @@ float births(const Foam& foam, const Grid& grid, const Waters& waters, std::size
         for (int dx = -1; dx <= 1; ++dx) {
             const FoamCell& cell = foam.cells[grid.at(x + dx, y + dy)];
             const Vec2 side{static_cast<float>(dx), static_cast<float>(dy)};
-            wet += cell.count, normal = normal - cell.count * side;
+            const float full = is_walled(grid, waters, x + dx, y + dy) ? 1.0f : cell.count;
+            wet += full, normal = normal - full * side;
             if (cell.count == 0.0f || (dx == 0 && dy == 0)) continue;
             const Vec2 apart = velocity - cell.velocity; // how much of it is towards that cell
             const float speed = length(apart);
             trapped += std::min(cell.count, 1.0f) * (speed + dot(apart, side) / length(side));
         }
+    trapped *= share(wet, 8.6f, 7.0f); // where there is air
     const float crest = share(wet, 5.5f, 2.0f) * share(dot(normalised(normal), normalised(velocity)), 0.5f, 0.9f);
     return energy *
            (kFromTrapped * share(trapped, 1.2f * fast, 6.0f * fast) + kFromCrest * crest * share(wet, 0.7f, 1.5f));
