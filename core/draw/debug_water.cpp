@@ -90,10 +90,9 @@ void draw_cells(const FluidFrame& f, const Water& water) {
     fill_cells(f, g, f.ink(FluidInk::liquid), [&](int i, int j) {
         return sums[static_cast<std::size_t>((j - all.first_j) * columns + i - all.first_i)].count > 0;
     });
-    if (water.scratch->laid_out) {
-        const fluid::Field& open = water.scratch->solids.open();
-        fill_cells(f, g, f.ink(FluidInk::solid), [&](int i, int j) { return !(open[g.at(i, j)] > 0.0f); });
-    }
+    const fluid::WaterScratch& scratch = *water.scratch;
+    if (scratch.laid_out && scratch.solids.any())
+        fill_cells(f, g, f.ink(FluidInk::solid), [&](int i, int j) { return !(scratch.volume[g.at(i, j)] > 0.0f); });
     draw_grid(f, g, water.open);
 }
 
