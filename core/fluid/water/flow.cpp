@@ -21,6 +21,13 @@ SwarmView view_of(Swarm& swarm) {
             swarm.mass.data()};
 }
 
+// Active tiles but for the row below the box, which comes first: there is nothing below that.
+std::span<const Tile> inner_tiles(const WaterScratch& s) {
+    std::size_t first = 0;
+    while (first < s.active.size() && s.active[first].j < 0) ++first;
+    return std::span(s.active).subspan(first);
+}
+
 // What fell beyond the edge of the box belongs to the cells along it: they slip.
 void fold_rim(WaterScratch& s, const Grid& g) {
     float *u = s.gathered_u.data(), *v = s.gathered_v.data();
@@ -132,14 +139,15 @@ void find_liquid(const World& world, Water& water) {
     const InstructionSet set = world.instruction_set;
     for (Field* field : {&s.rho, &s.wet})
         for (const Tile& tile : s.active_before) std::fill_n(field->data() + tile.at, 8, 0.0f);
-    s.any_wet.resize(s.active.size());
+    const std::span<const Tile> inner = inner_tiles(s);
+    s.any_wet.resize(inner.size());
     EVIL_PICK(set, measure_cells)(cells, s.active.data(), s.active.size(), s.gathered.data());
-    EVIL_PICK(set, find_wet)(cells, s.active.data(), s.active.size(), s.any_wet.data());
+    EVIL_PICK(set, find_wet)(cells, inner.data(), inner.size(), s.any_wet.data());
     find_gaps(world, water);
     s.wet_tiles.clear();
     s.press.begin();
-    for (std::size_t k = 0; k < s.active.size(); ++k)
-        if (s.any_wet[k]) s.wet_tiles.push_back(s.active[k]), s.press.add_tile(s.active[k]);
+    for (std::size_t k = 0; k < inner.size(); ++k)
+        if (s.any_wet[k]) s.wet_tiles.push_back(inner[k]), s.press.add_tile(inner[k]);
     EVIL_PICK(set, weigh_cells)(cells, s.wet_tiles.data(), s.wet_tiles.size());
     s.press.finish(set);
     for (const auto& tiles : {std::span(s.active_before), std::span(s.active)})
@@ -152,7 +160,7 @@ void press_flow(World& world, Water& water, float dt) {
     WaterScratch& s = *water.scratch;
     const CellsView cells = s.view(water);
     const InstructionSet set = world.instruction_set;
-    const std::span<const Tile> wet = s.wet_tiles, active = s.active;
+    const std::span<const Tile> wet = s.wet_tiles, active = inner_tiles(s);
     stretch_skin(water, dt);
     thicken(world, water, dt);
     EVIL_PICK(set, find_inflow_of)(cells, wet.data(), wet.size(), s.u.data(), s.v.data(), s.inflow.data());
