@@ -49,18 +49,15 @@ void press(const Step& step, const Field& p, float times) {
     });
 }
 
-void set_faces(const Step& step, const Field& across, const Field& up) {
-    for (const Ride& ride : step.scratch.rides)
-        if (ride.ease > 0.0f) step.scratch.pressure.set_faces(step.smoke.grid, across, up, ride.faces);
-}
-
 // The faces that free bodies cover let pressure through, as easily as they are light.
 void loosen(const Step& step) {
     Scratch& s = step.scratch;
     const Grid& g = step.smoke.grid;
     Field &across = s.low, &up = s.high; // free between two carryings
+    s.loose.clear();
     for (const Ride& ride : s.rides) {
         if (!(ride.ease > 0.0f)) continue;
+        s.loose.push_back(ride.faces);
         for (int j = ride.faces.low; j <= ride.faces.high + 1; ++j) // and those beyond, which may be on the box's side
             for (std::ptrdiff_t at = g.at(ride.faces.left, j); at <= g.at(ride.faces.right + 1, j); ++at)
                 across[at] = s.solids.across()[at], up[at] = s.solids.up()[at];
@@ -68,7 +65,7 @@ void loosen(const Step& step) {
     each_free_wall(s, [&](const Wall& wall, const Ride& ride, bool left) {
         (left ? across : up)[wall.at] += wall.closed * std::min(ride.ease, kMostEase);
     });
-    set_faces(step, across, up);
+    s.pressure.set_faces(g, across, up, s.loose);
 }
 
 // What drag makes of its speed: implicit, so that it stops at the gas's own; all three at once, as they pull at each other.
@@ -175,7 +172,7 @@ void take_along(const Step& step, const Field& pressure, float times) {
     loose = pressure;
     gather_inflow(step);
     s.pressure.solve(step.smoke.grid, s.inflow, loose, kCycles, step.world.instruction_set, step.world.threads);
-    set_faces(step, s.solids.across(), s.solids.up());
+    s.pressure.set_faces(step.smoke.grid, s.solids.across(), s.solids.up(), s.loose);
     for (Ride& ride : s.rides) ride.before = ride.push, ride.turn_before = ride.turn;
     press(step, loose, times);
     for (std::size_t slot = 0; slot < s.rides.size(); ++slot) {

@@ -173,7 +173,12 @@ void Pressure::lay_out(const Grid& grid, const std::array<bool, 4>& open) {
     room_.assign(static_cast<std::size_t>(levels_[0].ny / 2 / kRows + 1) * room_for_rows_, 0.0f);
 }
 
-void Pressure::set_faces(const Grid& grid, const Field& across, const Field& up, const Patch& whole) {
+void Pressure::set_faces(const Grid& grid, const Field& across, const Field& up, std::span<const Patch> patches) {
+    for (const Patch& patch : patches) set_patch(grid, across, up, patch);
+    for (std::size_t level = 1; level < levels_.size(); ++level) find_borrowers(levels_[level]);
+}
+
+void Pressure::set_patch(const Grid& grid, const Field& across, const Field& up, const Patch& whole) {
     Patch patch = whole;
     Level& fine = levels_[0];
     auto side = [&](int i, int j, bool sideways) { // a face on an open side has no cell beyond: it drains
@@ -199,7 +204,6 @@ void Pressure::set_faces(const Grid& grid, const Field& across, const Field& up,
         patch = {patch.left / 2, patch.low / 2, patch.right / 2 + 1, patch.high / 2 + 1};
         coarsen(levels_[level - 1], levels_[level], patch);
         weigh_patch(levels_[level], patch);
-        find_borrowers(levels_[level]);
     }
 }
 

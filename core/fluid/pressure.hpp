@@ -8,6 +8,7 @@
 #include "fluid/pressure_wide.hpp"
 #include "threads.hpp"
 #include <array>
+#include <span>
 #include <vector>
 
 namespace evil::fluid {
@@ -49,8 +50,8 @@ class Pressure {
 public:
     void lay_out(const Grid& grid, const std::array<bool, 4>& open);
 
-    // The faces of a patch are now as open as these fields say; call it for all of the grid first.
-    void set_faces(const Grid& grid, const Field& across, const Field& up, const Patch& patch);
+    // The faces of these patches are now as open as these fields say; call it for all of the grid first.
+    void set_faces(const Grid& grid, const Field& across, const Field& up, std::span<const Patch> patches);
 
     // p of the equation for b, from the p that is there, by so many cycles.
     void solve(const Grid& grid, const Field& b, Field& p, int cycles, InstructionSet set, Threads& threads);
@@ -58,6 +59,7 @@ public:
     const Level& finest() const { return levels_.front(); }
 
 private:
+    void set_patch(const Grid& grid, const Field& across, const Field& up, const Patch& patch);
     void cycle(std::size_t level, InstructionSet set, Threads& threads);
     void smooth_level(const Level& level, int sweeps, InstructionSet set, Threads& threads) const;
     std::vector<Level> levels_;

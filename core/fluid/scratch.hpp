@@ -52,6 +52,7 @@ struct Scratch {
     std::vector<float> sums; // of rows
     std::vector<Ride> rides; // by body
     std::vector<Wake> wakes;
+    std::vector<Patch> loose; // of faces that free bodies cover
     bool any_free = false;
     StamScratch stam;
 };

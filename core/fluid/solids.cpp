@@ -129,10 +129,11 @@ std::span<const Patch> Solids::redraw(const World& world, const Grid& grid, Inst
 }
 
 bool Solids::update(const World& world, const Grid& grid, Pressure& pressure, InstructionSet set) {
+    faces_.clear();
     for (const Patch& patch : redraw(world, grid, set))
-        pressure.set_faces(grid, across_, up_,
-                           {std::max(patch.left - 1, 0), std::max(patch.low - 1, 0), patch.right, patch.high});
+        faces_.push_back({std::max(patch.left - 1, 0), std::max(patch.low - 1, 0), patch.right, patch.high});
     if (changed_.empty()) return false;
+    pressure.set_faces(grid, across_, up_, faces_);
     find_gas(grid);
     pockets_.find({grid, open_, across_, up_, gas_}, pressure.finest());
     find_walls(world, grid, pressure);

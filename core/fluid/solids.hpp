@@ -76,8 +76,8 @@ private:
     Field across_, up_, gas_, room_;
     std::vector<Seen> pieces_, pieces_before_;
     std::vector<Vec2> corners_, corners_before_;
-    std::vector<Patch> changed_;
-    std::vector<std::uint8_t> near_; // by tile: is a body that moves near?
+    std::vector<Patch> changed_, faces_; // corners of cells, and the faces between them
+    std::vector<std::uint8_t> near_;     // by tile: is a body that moves near?
     std::vector<Wall> walls_across_, walls_up_;
     std::vector<Shore> shores_;
     Pockets pockets_;
