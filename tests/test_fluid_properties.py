@@ -1,4 +1,4 @@
-"""Plays at random with smoke, fire and water between bodies: the promises of test_world_properties hold for them too."""
+"""Plays at random with smoke, fire and water between bodies, as test_world_properties does with those alone."""
 
 from __future__ import annotations
 
