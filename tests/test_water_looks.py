@@ -251,6 +251,21 @@ def test_saved_looks_show_the_same_water() -> None:
     assert np.array_equal(pixels(game), before)
 
 
+def test_a_saved_game_goes_on_with_the_same_water(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
+    game = game_of()
+    scenery(game)
+    pour(game, lambda x, y: (x < -2) & (y < 2), ramp=["#8f84", "#fffa", "#000"], foam=3)
+    game.step(60)
+    game.save("sea")
+    other = game_of()
+    other.resume("sea")
+    assert np.array_equal(pixels(other), pixels(game))
+    for each in (game, other):
+        each.step(10)
+    assert np.array_equal(pixels(other), pixels(game))
+
+
 @pytest.mark.parametrize("damage", [{"flecks": "AAAA"}, {"flecks": "?"}, {"clarity": -1.0}, {"ramp": [[0, 0, 0, 1]]}])
 def test_damaged_looks_are_refused(damage: dict[str, Any]) -> None:
     game = game_of()
