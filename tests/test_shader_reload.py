@@ -134,6 +134,7 @@ def test_all_shaders_compile_as_browsers_and_phones_would_have_them(device: Mode
         pairs += [("screen.vert", "halve.frag", {"BRIGHT": on}) for on in (0, 1)]
         pairs += [("screen.vert", "double.frag", {"ADDS": on}) for on in (0, 1)]
         pairs += [("screen.vert", "shaft.frag", {"STAGE": stage, "TAPS": 5}) for stage in (0, 1, 2)]
+        pairs += [("screen.vert", "liquid.frag", {"LIGHT": on}) for on in (0, 1)]
         pairs += [("screen.vert", "post.frag", {"BLOOM": a, "GRAIN": b}) for a in (0, 1) for b in (0, 1)]
         pairs += [("speck.vert", "speck.frag", {"DISC": a, "ADDS": b}) for a in (0, 1) for b in (0, 1)]
         pairs += [("sprite.vert", "sprite.frag", {"COVER": a, "LIGHT": b}) for a in COVERS for b in (0, 1)]
