@@ -25,7 +25,7 @@ def run(world: evil.World, seconds: float) -> None:
 
 LYING = {
     "box": (evil.Rectangle(1, 1), 0.5),
-    "plank": (evil.Rectangle(2, 0.5), 0.25),
+    "plank": (evil.Rectangle(3, 0.5), 0.25),
     "ball": (evil.Circle(0.5), 0.5),
     "capsule": (evil.Capsule((-0.5, 0), (0.5, 0), 0.3), 0.3),
     "hexagon": (evil.Polygon([(0.3, -0.5), (0.6, 0), (0.3, 0.5), (-0.3, 0.5), (-0.6, 0), (-0.3, -0.5)]), 0.5),

@@ -9,6 +9,7 @@
 //       ---^---------^--- floor
 #include "fluid/water/finder.hpp"
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace evil::fluid {
@@ -98,11 +99,12 @@ private:
 void look_round(const World& world, Water& water) {
     WaterScratch& s = *water.scratch;
     s.touches.clear();
-    s.loops.assign(world.bodies.rows.size(), {});
-    for (const Reach& reach : s.unsorted_reaches) {
+    const auto see = [&](const Reach& reach) {
         s.loops[reach.body].seen += {reach.x, reach.y};
         s.loops[reach.body].in_water = world.bodies.rows[reach.body].kind == BodyKind::dynamic;
-    }
+    };
+    for (const Reach& reach : s.unsorted_reaches) see(reach);
+    for (const Film& film : s.films) see(film.reach);
     s.solids.each_piece([&](std::uint32_t body, const Patch& patch) {
         Patch& all = s.loops[body].patch;
         all = all.empty() ? patch
@@ -121,20 +123,50 @@ float share_of(float film, float into, float all_one_way, float all_other_way) {
     return std::abs(film) > kLeast && mine > 0.0f ? film * mine / all : 0.0f;
 }
 
+// What flows into a film comes from all the liquid round its end: a single cell could not let it through. The film lies
+// deeper or higher than each of those cells, which tells in its pressure.
+void spread(const World& world, Water& water, const Film& film, float dt) {
+    WaterScratch& s = *water.scratch;
+    const Grid& g = water.grid;
+    const int i = film.reach.at % g.stride, j = film.reach.at / g.stride;
+    std::array<Vec2, 9> places;
+    std::array<std::int32_t, 9> cells{};
+    std::size_t count = 0;
+    for (int y = std::max(j - 1, 0); y <= std::min(j + 1, g.ny - 1); ++y)
+        for (int x = std::max(i - 1, 0); x <= std::min(i + 1, g.nx - 1); ++x)
+            if (s.wet[g.at(x, y)] > 0.0f) {
+                places[count] = g.low + g.h * Vec2{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
+                cells[count++] = static_cast<std::int32_t>(g.at(x, y));
+            }
+    const float share = 1.0f / static_cast<float>(count), heavy = heaviest(water);
+    Loop& loop = s.loops[film.reach.body];
+    for (std::size_t k = 0; k < count; ++k) {
+        const Reach part{cells[k], share * film.reach.x, share * film.reach.y, share * film.reach.turn,
+                         film.reach.body};
+        const float above = -water.pressure[cells[k]] * g.h / dt; // no film pulls: it would tear
+        const float head = heavy * g.h * std::max(s.mass[cells[k]] * dot(world.gravity, film.place - places[k]), above);
+        loop.lift += head * Vec2{part.x, part.y};
+        loop.turn += head * part.turn;
+        s.unsorted_reaches.push_back(part);
+    }
+}
+
 } // namespace
 
-void add_films(const World& world, Water& water) {
+void add_films(const World& world, Water& water, float dt) {
     WaterScratch& s = *water.scratch;
-    s.unsorted_reaches.insert(s.unsorted_reaches.end(), s.film_reaches.begin(), s.film_reaches.end());
-    if (s.unsorted_reaches.empty()) return;
+    s.loops.assign(world.bodies.rows.size(), {});
+    if (s.unsorted_reaches.empty() && s.films.empty()) return;
     look_round(world, water);
     for (const Touch& touch : s.touches) {
         const Loop& loop = s.loops[touch.body];
         const Vec2 film{share_of(-loop.seen.x, touch.into.x, loop.right_up.x, loop.left_down.x),
                         share_of(-loop.seen.y, touch.into.y, loop.right_up.y, loop.left_down.y)};
         if (touch.at < 0 || film == Vec2{}) continue;
-        s.unsorted_reaches.push_back({touch.at, film.x, film.y, cross(touch.arm, film), touch.body});
+        const Vec2 place = world.bodies.rows[touch.body].centre + touch.arm;
+        s.films.push_back({{touch.at, film.x, film.y, cross(touch.arm, film), touch.body}, place});
     }
+    for (const Film& film : s.films) spread(world, water, film, dt);
 }
 
 } // namespace evil::fluid

@@ -11,7 +11,8 @@ namespace evil::fluid {
 namespace {
 
 constexpr float kNarrow = 0.5f; // share of a cell outside of bodies
-constexpr int kMostRoomy = 4;   // cells that are not narrow: where there are more of them there is air
+constexpr float kSlot = 0.8f;   // cells: half of the width of a slot
+constexpr int kMostRoomy = 4;   // cells that are neither narrow nor in a slot: more of them are air
 
 class Gaps {
 public:
@@ -43,11 +44,16 @@ private:
         if (up[at + g_.stride] > 0.0f) visit(at + g_.stride, j + 1 < g_.ny);
     }
 
+    bool is_slot(std::ptrdiff_t at) const { // a body is near, wherever one is in it
+        const Field& d = s_.solids.distance();
+        return std::max(std::max(d[at], d[at + 1]), std::max(d[at + g_.stride], d[at + g_.stride + 1])) < kSlot;
+    }
+
     void meet(std::ptrdiff_t at) {
         met(at) = turn_;
         s_.met_cells.push_back(static_cast<std::int32_t>(at));
         s_.gap.push_back({static_cast<std::int32_t>(at), -1});
-        if (s_.volume[at] > kNarrow && ++roomy_ > kMostRoomy) airy_ = true;
+        if (s_.volume[at] > kNarrow && !is_slot(at) && ++roomy_ > kMostRoomy) airy_ = true;
         for (std::ptrdiff_t corner : {at, at + 1, at + g_.stride, at + g_.stride + 1}) {
             const float owner = s_.solids.distance()[corner] < 1.0f ? s_.solids.owner()[corner] : 0.0f;
             if (owner == 0.0f) continue;
@@ -88,7 +94,9 @@ private:
         for (const GapCell& cell : s_.found)
             for (Reach reach : finder_.look_at(column_of(cell.at), row_of(cell.at))) {
                 reach.at = cell.end;
-                s_.film_reaches.push_back(reach);
+                const Vec2 middle{static_cast<float>(column_of(cell.at)) + 0.5f,
+                                  static_cast<float>(row_of(cell.at)) + 0.5f};
+                s_.films.push_back({reach, g_.low + g_.h * middle});
             }
         for (const GapCell& cell : s_.gap) s_.rho[cell.at] = kFullOfFilm;
     }
@@ -131,7 +139,7 @@ void dry_narrow_cells(Water& water) {
 
 void find_gaps(const World& world, Water& water) {
     WaterScratch& s = *water.scratch;
-    s.film_reaches.clear(), s.dried.clear();
+    s.films.clear(), s.dried.clear();
     if (!s.solids.any()) return;
     const auto set_live = [&](std::uint8_t live) {
         for (const Tile& tile : s.active)

@@ -10,12 +10,6 @@ constexpr float kHeld = 0.05f;    // share of a gain: less than that is how a st
 constexpr float kWakes = 0.5f;    // m/s2 by which the push on a sleeping body must change to wake it
 constexpr float kMostPush = 1e4f; // m/s2: a squeezed pocket may press without bounds
 
-float heaviest(const Water& water) {
-    float most = 0.0f;
-    for (const Liquid& liquid : water.liquids) most = std::max(most, liquid.density);
-    return most;
-}
-
 // Reaches by body, in the order of their cells.
 void sort_reaches(WaterScratch& s, std::size_t bodies) {
     s.reaches_of.assign(bodies + 1, 0);
@@ -50,10 +44,11 @@ const Afloat* remembered(const Water& water, std::uint32_t slot, const Body& bod
     return it != water.afloat.end() && it->body == slot && it->serial == body.serial ? &*it : nullptr;
 }
 
-void set_free(Rider& rider, const Body& b, const Afloat* last, Vec2 gravity, float per_push, float dt) {
+void set_free(Rider& rider, const Body& b, const Afloat* last, const Loop& loop, Vec2 gravity, float per_push,
+              float dt) {
     rider.per_mass = per_push * b.inv_mass, rider.per_inertia = per_push * b.inv_inertia;
-    Vec2 gain = dt * (b.gravity_scale * gravity + b.inv_mass * b.force);
-    float spin = dt * b.inv_inertia * b.torque;
+    Vec2 gain = dt * (b.gravity_scale * gravity + b.inv_mass * (b.force + loop.lift));
+    float spin = dt * b.inv_inertia * (b.torque + loop.turn);
     if (last) {
         rider.stop = stop_of(b.velocity - last->velocity, last->gained);
         const float turning = 1.0f - stop_of(b.spin - last->spin, last->gained_spin);
@@ -76,14 +71,15 @@ void find_riders(const World& world, Water& water, float dt) {
             for (int i = tile.i; i < std::min(tile.i + 8, g.nx); ++i)
                 if (s.wet[g.at(i, tile.j)] > 0.0f)
                     for (const Reach& reach : finder.look_at(i, tile.j)) s.unsorted_reaches.push_back(reach);
-    add_films(world, water);
+    add_films(world, water, dt);
     sort_reaches(s, world.bodies.rows.size());
     const float per_push = heaviest(water) * g.h * g.h;
     for (Rider& rider : s.riders) {
         const Body& b = world.bodies.rows[rider.body];
         rider.velocity = b.velocity, rider.spin = b.spin;
         rider.free = b.kind == BodyKind::dynamic && b.awake;
-        if (rider.free) set_free(rider, b, remembered(water, rider.body, b), world.gravity, per_push, dt);
+        if (rider.free)
+            set_free(rider, b, remembered(water, rider.body, b), s.loops[rider.body], world.gravity, per_push, dt);
         for (std::uint32_t k = rider.first; k < rider.last; ++k) {
             const Reach& reach = s.reaches[k];
             s.inflow[reach.at] -= reach.x * rider.velocity.x + reach.y * rider.velocity.y + reach.turn * rider.spin;
@@ -99,9 +95,10 @@ void push_riders(World& world, Water& water, float dt) {
         Body& b = world.bodies.rows[rider.body];
         if (b.kind != BodyKind::dynamic) continue;
         const PushOf sum = push_of(rider, s.reaches, water.pressure.data());
+        const Loop& loop = s.loops[rider.body];
         const Vec2 push{static_cast<float>(sum.x) * per_push, static_cast<float>(sum.y) * per_push};
-        const Vec2 force = clamped(push, kMostPush * b.mass);
-        const float torque = clamped(static_cast<float>(sum.turn) * per_push, kMostPush * b.inertia);
+        const Vec2 force = clamped(push + loop.lift, kMostPush * b.mass);
+        const float torque = clamped(static_cast<float>(sum.turn) * per_push + loop.turn, kMostPush * b.inertia);
         const Afloat* last = remembered(water, rider.body, b);
         if (!b.awake) {
             const Vec2 change = last ? force - last->force : force;

@@ -23,6 +23,8 @@ struct Loop {
     Vec2 seen;                // sum of closed shares of faces, by direction
     Vec2 right_up, left_down; // sums of the directions in which others touch it
     bool in_water = false;
+    Vec2 lift; // N, and Nm: of films, beside the pressure of the liquid that they come from
+    float turn = 0.0f;
     Patch patch; // of the grid's corners
 };
 struct Touch { // where something is less than a cell from a body
@@ -31,6 +33,10 @@ struct Touch { // where something is less than a cell from a body
     Vec2 arm, into;  // from the body's centre; the direction into the body
 };
 
+struct Film {    // a part of one
+    Reach reach; // its cell is the one that liquid comes from
+    Vec2 place;
+};
 struct GapCell {
     std::int32_t at, end; // the wet cell nearest to it
 };
@@ -109,7 +115,7 @@ struct WaterScratch {
     Field viscosity, tension; // of what is in cells; empty until there is any
     bool has_skin = false;
     std::vector<Reach> reaches, unsorted_reaches;
-    std::vector<Reach> film_reaches; // of gaps
+    std::vector<Film> films;
     std::vector<Rider> riders;
     std::vector<std::uint32_t> reaches_of; // by body
     std::vector<Afloat> afloat;
@@ -149,6 +155,6 @@ void drop_skin(Water& water);
 // riders.cpp: bodies in the pressure's equation.
 void find_riders(const World& world, Water& water, float dt);
 void push_riders(World& world, Water& water, float dt);
-void add_films(const World& world, Water& water); // films.cpp
+void add_films(const World& world, Water& water, float dt); // films.cpp
 
 } // namespace evil::fluid
