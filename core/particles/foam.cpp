@@ -1,6 +1,6 @@
+#include "particles/foam.hpp"
 #include "archive.hpp"
 #include "draw/layers.hpp"
-#include "particles/foam.hpp"
 #include <algorithm>
 #include <cmath>
 
