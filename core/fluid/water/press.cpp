@@ -148,7 +148,8 @@ void Press::balance(const Field& b, const Riders& riders) {
         auto each_pocket = [&](auto visit) {
             for (std::uint32_t k = rider.first; k < rider.last; ++k) {
                 const auto at = static_cast<std::size_t>(riders.reaches[k].at);
-                visit(pockets_[static_cast<std::size_t>(pocket_of_[at])], riders.reaches[k]);
+                if (fine.inverse[riders.reaches[k].at] > 0.0f) // it has a pocket
+                    visit(pockets_[static_cast<std::size_t>(pocket_of_[at])], riders.reaches[k]);
             }
         };
         each_pocket([](Pocket& pocket, const Reach& reach) { pocket.x += reach.x, pocket.y += reach.y; });
