@@ -21,11 +21,13 @@ SwarmView view_of(Swarm& swarm) {
             swarm.mass.data()};
 }
 
-// Active tiles but for the row below the box, which comes first: there is nothing below that.
-std::span<const Tile> inner_tiles(const WaterScratch& s) {
-    std::size_t first = 0;
-    while (first < s.active.size() && s.active[first].j < 0) ++first;
-    return std::span(s.active).subspan(first);
+// Active tiles but for those below the box, which come first, and above it, which come last: beyond them there is nothing.
+std::span<const Tile> inner_tiles(const Water& water) {
+    const std::vector<Tile>& active = water.scratch->active;
+    std::size_t first = 0, last = active.size();
+    while (first < last && active[first].j < 0) ++first;
+    while (last > first && active[last - 1].j > water.grid.ny) --last;
+    return std::span(active).subspan(first, last - first);
 }
 
 // What fell beyond the edge of the box belongs to the cells along it: they slip.
@@ -139,7 +141,7 @@ void find_liquid(const World& world, Water& water) {
     const InstructionSet set = world.instruction_set;
     for (Field* field : {&s.rho, &s.wet})
         for (const Tile& tile : s.active_before) std::fill_n(field->data() + tile.at, 8, 0.0f);
-    const std::span<const Tile> inner = inner_tiles(s);
+    const std::span<const Tile> inner = inner_tiles(water);
     s.any_wet.resize(inner.size());
     EVIL_PICK(set, measure_cells)(cells, s.active.data(), s.active.size(), s.gathered.data());
     EVIL_PICK(set, find_wet)(cells, inner.data(), inner.size(), s.any_wet.data());
@@ -160,7 +162,7 @@ void press_flow(World& world, Water& water, float dt) {
     WaterScratch& s = *water.scratch;
     const CellsView cells = s.view(water);
     const InstructionSet set = world.instruction_set;
-    const std::span<const Tile> wet = s.wet_tiles, active = inner_tiles(s);
+    const std::span<const Tile> wet = s.wet_tiles, active = inner_tiles(water);
     stretch_skin(water, dt);
     thicken(world, water, dt);
     EVIL_PICK(set, find_inflow_of)(cells, wet.data(), wet.size(), s.u.data(), s.v.data(), s.inflow.data());
