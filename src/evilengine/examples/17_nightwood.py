@@ -37,7 +37,7 @@ for x, y, half in ((1, 1.6, 1.6), (-5, 2.4, 1.1)):  # boughs that hang and swing
     game.world.add_joint(evil.joints.Hinge(bough, earth, at=(x, y + 5)))
 game.drive(hero := game.add_character(evil.Capsule((0, -0.45), (0, 0.45), 0.28), at=(-6, -2.5), colour="#07090c"))
 for x in (-0.09, 0.09):  # eyes
-    hero.body.draw(evil.Circle(0.042), at=(x, 0.48), colour="#e8f4ff", layer=1)
+    game.draw(evil.Circle(0.042), body=hero.body, at=(x, 0.48), colour="#e8f4ff", layer=1)
 lamp = game.add(evil.Circle(0.13), at=(-5.4, -2.7), colour="#fff0c4", sensor=True, density=2)
 game.world.add_joint(evil.joints.Rope(hero.body, lamp, length=0.55))
 game.add_light(body=lamp, radius=9, size=0.2, temperature=2600, intensity=3.2)
