@@ -123,6 +123,7 @@ void flow_by_pressure(const CellsView& c, const Tile* tiles, std::size_t count, 
 void extend_flow(const CellsView& c, const Tile* tiles, std::size_t count, float* u, float* v) noexcept {
     for (std::size_t k = 0; k < count; ++k) {
         const std::ptrdiff_t at = tiles[k].at;
+        const std::ptrdiff_t below = tiles[k].j > 0 ? at - c.stride : at; // below the box is nothing to ask
         auto extend = [&](const float* open, float* flow, std::ptrdiff_t beside) {
             auto known = [&](std::ptrdiff_t face) {
                 const Mask wet = load(c.wet + face) + load(c.wet + face - beside) > 0.0f;
@@ -131,7 +132,7 @@ void extend_flow(const CellsView& c, const Tile* tiles, std::size_t count, float
             const Mask open_air = (load(open + at) > 0.0f) & ~known(at);
             if (!any(open_air)) return;
             Floats sum(0.0f), number(0.0f);
-            for (std::ptrdiff_t other : {at - 1, at + 1, at - c.stride, at + c.stride}) {
+            for (std::ptrdiff_t other : {at - 1, at + 1, below, at + c.stride}) {
                 const Mask sure = known(other);
                 sum += select(sure, load(flow + other), Floats(0.0f));
                 number += select(sure, Floats(1.0f), Floats(0.0f));
