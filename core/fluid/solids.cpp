@@ -56,8 +56,12 @@ void set_outline(Outline& o, std::span<const Vec2> corners, float radius) {
 
 } // namespace
 
-void Solids::lay_out(const Grid& grid, const std::array<bool, 4>& open) {
-    open_ = open;
+bool is_small(const Body& body, float cell) {
+    return body.kind == BodyKind::dynamic && body.mass > 0.0f && body.inertia < 0.36f * body.mass * cell * cell;
+}
+
+void Solids::lay_out(const Grid& grid, const std::array<bool, 4>& open, bool with_small) {
+    open_ = open, with_small_ = with_small;
     for (Field* field : {&distance_, &owner_, &across_, &up_, &gas_, &room_}) field->lay_out(grid);
     pieces_.clear(), pieces_before_.clear();
     fresh_ = true;
@@ -73,6 +77,7 @@ void Solids::look(const World& world, const Grid& g) {
     for (std::uint32_t slot = 0; slot < shapes.piece_slots.size(); ++slot) {
         if (!shapes.piece_slots.taken(slot) || shapes.pieces[slot].sensor) continue;
         const Piece& piece = shapes.pieces[slot];
+        if (!with_small_ && is_small(world.bodies.rows[piece.body], g.h)) continue;
         const Pose& pose = world.bodies.rows[piece.body].pose;
         const Vec2 middle = per_metre * (transform(pose, piece.centre) - g.low);
         const float reach = per_metre * piece.reach + 2.0f;

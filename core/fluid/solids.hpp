@@ -10,7 +10,8 @@
 
 namespace evil {
 struct World;
-}
+struct Body;
+} // namespace evil
 
 namespace evil::fluid {
 
@@ -27,9 +28,12 @@ struct Shore { // a cell with gas that a body reaches into that moves
     std::uint32_t body;
 };
 
+// Is a body too small for cells to see? Its radius of gyration is less than 0.6 of a cell's side.
+bool is_small(const Body& body, float cell);
+
 class Solids {
 public:
-    void lay_out(const Grid& grid, const std::array<bool, 4>& open);
+    void lay_out(const Grid& grid, const std::array<bool, 4>& open, bool with_small = true);
 
     // Finds out what changed since the last call and draws that anew; gives the corners of cells that it touched.
     std::span<const Patch> redraw(const World& world, const Grid& grid, InstructionSet set);
@@ -82,7 +86,7 @@ private:
     std::vector<Shore> shores_;
     Pockets pockets_;
     Outline outline_;
-    bool fresh_ = true;
+    bool fresh_ = true, with_small_ = true;
 };
 
 } // namespace evil::fluid

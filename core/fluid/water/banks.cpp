@@ -60,7 +60,7 @@ void lay_out(Water& water) {
     if (s.laid_out) return;
     s.laid_out = true;
     const Grid& g = water.grid;
-    s.solids.lay_out(g, water.open);
+    s.solids.lay_out(g, water.open, false);
     s.press.lay_out(g);
     for (Field* field : {&s.volume, &s.per_room, &s.u, &s.v, &s.shift_u, &s.shift_v, &s.rho, &s.wet, &s.mass, &s.skin,
                          &s.inflow, &s.spread})

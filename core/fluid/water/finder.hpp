@@ -12,6 +12,8 @@ inline float heaviest(const Water& water) {
     return most;
 }
 
+inline constexpr float kMostPush = 1e4f; // m/s2: a squeezed pocket may press without bounds
+
 class Finder {
 public:
     Finder(const World& world, const Water& water) : world_(world), s_(*water.scratch), g_(water.grid) {}

@@ -157,4 +157,7 @@ void find_riders(const World& world, Water& water, float dt);
 void push_riders(World& world, Water& water, float dt);
 void add_films(const World& world, Water& water, float dt); // films.cpp
 
+// drift.cpp: bodies that the cells do not see.
+void drift_small_bodies(World& world, Water& water, float dt);
+
 } // namespace evil::fluid
