@@ -99,6 +99,18 @@ def test_a_jet_of_single_particles_stays_whole() -> None:
     assert thick.min() > 1.5
 
 
+def test_behind_what_swims_there_is_the_liquid_that_is_round_it() -> None:
+    game = black()
+    water = game.add_water((-5, -3, 5, 3), particle_size=SIZE, ramp=["#0000ff", "#0000ff"], rim=0, refraction=0)
+    oil = water.add_liquid(density=0.8, colour="#ff0000")
+    game.add(evil.Rectangle(2, 1), at=(0, -1), layer=-1, colour="#808080", density=0.5)
+    water.fill((-5, -3, 5, 1), liquid=oil)
+    seen = pixels(game).astype(int)
+    inside, beside = seen[132, 130:190], seen[132, 60]
+    assert beside[0] > beside[2] + 50
+    assert (inside[:, 0] > inside[:, 2] + 20).all()
+
+
 def test_two_drops_apart_stay_two() -> None:
     game = black()
     pour(game, lambda x, y: (abs(y - 0.05) < 0.01) & ((abs(x - 0.05) < 0.01) | (abs(x - 0.45) < 0.01)), **PLAIN)

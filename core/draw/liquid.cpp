@@ -169,6 +169,7 @@ bool map_liquid(LiquidMap& map, LiquidScratch& scratch, const Sea& sea, const Li
     find_sharp(scratch, grid, set);
     find_solids(scratch, sea, grid, world, alpha);
     fill_solids(scratch, grid, std::fabs(up.y) >= std::fabs(up.x));
+    fill_shares(scratch, grid);
     find_surface(scratch, grid, set);
     const LiquidDepths depths = find_depths(scratch, sea, look.clarity, world, alpha);
     find_waves(scratch, grid, sea, view);

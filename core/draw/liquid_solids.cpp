@@ -133,25 +133,17 @@ void find_solids(LiquidScratch& scratch, const Sea& sea, const LiquidGrid& grid,
     }
 }
 
-// Liquid goes on behind what is solid as it is round it, so that its surface meets walls squarely and goes on behind what
-// swims; the gap that particles leave along a solid is not seen either (pull and push, after Gortler et al. 1996). It looks
-// along the level first, six halvings far: a surface goes straight on.
-void fill_solids(LiquidScratch& scratch, const LiquidGrid& grid, bool upright) {
-    constexpr float kGap = 2.0f; // texels along a solid in which air is not believed
-    constexpr std::size_t kLevels = 11, kAlong = 6;
-    scratch.known.resize(grid.size());
-    bool any = false;
-    for (std::size_t i = 0; i < grid.size(); ++i) {
-        const float free = std::clamp(scratch.solid[i] * (1.0f / kGap), 0.0f, 1.0f);
-        any |= free < 1.0f;
-        scratch.known[i] = scratch.solid[i] <= 0.0f ? 0.0f : free + (1.0f - free) * scratch.whole[i];
-    }
-    if (!any) return;
+namespace {
+
+// Pull and push (after Gortler et al. 1996): where `scratch.known` is less than 1, `plane` becomes what is round there. It
+// looks along the rows, or the columns, first, so many halvings far.
+void fill(std::vector<float>& plane, LiquidScratch& scratch, const LiquidGrid& grid, bool upright, std::size_t along) {
+    constexpr std::size_t kLevels = 11;
     scratch.means.resize(kLevels), scratch.weights.resize(kLevels);
     std::array<Level, kLevels + 1> levels;
-    levels[0] = {&scratch.whole, &scratch.known, grid.width, grid.height, grid.stride, 1, 1};
+    levels[0] = {&plane, &scratch.known, grid.width, grid.height, grid.stride, 1, 1};
     for (std::size_t k = 0; k < kLevels; ++k) {
-        const int across = upright || k >= kAlong ? 2 : 1, down = !upright || k >= kAlong ? 2 : 1;
+        const int across = upright || k >= along ? 2 : 1, down = !upright || k >= along ? 2 : 1;
         const int width = (levels[k].width + across - 1) / across, height = (levels[k].height + down - 1) / down;
         scratch.means[k].resize(static_cast<std::size_t>(width) * height);
         scratch.weights[k].resize(static_cast<std::size_t>(width) * height);
@@ -159,6 +151,39 @@ void fill_solids(LiquidScratch& scratch, const LiquidGrid& grid, bool upright) {
         halve(levels[k], levels[k + 1]);
     }
     for (std::size_t k = kLevels; k > 0; --k) take_from(levels[k], levels[k - 1]);
+}
+
+} // namespace
+
+// Liquid goes on behind what is solid as it is round it, so that its surface meets walls squarely and goes on behind what
+// swims; the gap that particles leave along a solid is not seen either. A surface goes straight on: it looks along the level
+// first, six halvings far.
+void fill_solids(LiquidScratch& scratch, const LiquidGrid& grid, bool upright) {
+    constexpr float kGap = 2.0f; // texels along a solid in which air is not believed
+    scratch.known.resize(grid.size());
+    bool any = false;
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        const float free = std::clamp(scratch.solid[i] * (1.0f / kGap), 0.0f, 1.0f);
+        any |= free < 1.0f;
+        scratch.known[i] = scratch.solid[i] <= 0.0f ? 0.0f : free + (1.0f - free) * scratch.whole[i];
+    }
+    if (any) fill(scratch.whole, scratch, grid, upright, 6);
+}
+
+// Which liquid it is behind what swims is what it is round there, too: the shares of those where no particle is near.
+void fill_shares(LiquidScratch& scratch, const LiquidGrid& grid) {
+    constexpr float kSome = 1e-3f; // of a particle
+    if (scratch.shares.empty() || scratch.casters.rows.empty()) return;
+    for (auto& plane : scratch.shares) {
+        for (std::size_t i = 0; i < grid.size(); ++i) {
+            const float weight = scratch.weight[i];
+            scratch.known[i] = std::min(weight, 1.0f);
+            plane[i] = weight > 0.0f ? plane[i] / weight : 0.0f;
+        }
+        fill(plane, scratch, grid, false, 0);
+        for (std::size_t i = 0; i < grid.size(); ++i) plane[i] *= std::max(scratch.weight[i], kSome);
+    }
+    for (float& weight : scratch.weight) weight = std::max(weight, kSome);
 }
 
 } // namespace evil::draw

@@ -23,8 +23,8 @@ void find_surface(LiquidScratch& scratch, const LiquidGrid& grid, InstructionSet
 
 // liquid_solids.cpp: what bounds it, and what swims in it.
 void find_solids(LiquidScratch& scratch, const Sea& sea, const LiquidGrid& grid, const World& world, float alpha);
-void fill_solids(LiquidScratch& scratch, const LiquidGrid& grid,
-                 bool upright); // is up in the picture rather up or down?
+void fill_solids(LiquidScratch& scratch, const LiquidGrid& grid, bool upright);
+void fill_shares(LiquidScratch& scratch, const LiquidGrid& grid); // is up in the picture rather up or down?
 
 // liquid_depth.cpp: how far from the air it is.
 struct LiquidDepths { // coarse, in the world's axes
