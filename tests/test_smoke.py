@@ -318,3 +318,30 @@ def test_hard_cases_stay_bounded() -> None:
     assert np.isfinite(np.asarray(smoke.velocity)).all()
     assert np.abs(np.asarray(smoke.velocity)).max() < 2000
     world.restore(world.snapshot())
+
+
+@pytest.mark.parametrize("hand", ["written", "stirred"])
+def test_what_was_done_by_hand_before_a_snapshot_is_in_it(hand: str) -> None:
+    world = evil.World()
+    smoke = world.add_smoke((0, 0, 2, 2), cells=16)
+    velocity = np.asarray(smoke.velocity)  # from now on anybody may have written into it
+    if hand == "written":
+        velocity[4:9, 4:9] = (1, 2)
+    else:
+        smoke.stir((1, 1), radius=0.5, velocity=(1, 2))
+        assert velocity[8, 8, 1] > 1, "it is seen at once"
+    twin = evil.World.of(world.snapshot())
+    for _ in range(3):
+        world.step()
+        twin.step()
+    assert twin.checksum() == world.checksum()
+    assert np.abs(velocity).max() > 0.3
+
+
+def test_a_smoke_that_is_refused_leaves_the_world_as_it_was() -> None:
+    world = evil.World()
+    world.add_smoke((0, 0, 2, 2), cells=8)
+    before = world.checksum()
+    with pytest.raises(evil.ArgumentError, match="buoyancy"):
+        world.add_smoke((0, 0, 2, 2), cells=8, buoyancy=1e9)
+    assert world.checksum() == before

@@ -259,6 +259,18 @@ def test_particles_are_seen_and_written_without_a_copy() -> None:
         water.kinds[0] = 1
 
 
+def test_the_views_of_an_empty_water_are_empty_rows_of_two() -> None:
+    world, water = pool()
+    for _ in range(2):
+        for view in (water.positions, water.velocities):
+            assert (np.asarray(view).shape, np.asarray(view).dtype, view.shape) == ((0, 2), np.float32, (0, 2))
+        assert (np.asarray(water.kinds).shape, np.asarray(water.kinds).dtype) == ((0,), np.uint8)
+        np.asarray(water.velocities)[:] = math.nan
+        run(world, 1)
+        water.fill((0, 0, 1, 1))
+        water.clear()
+
+
 def test_views_from_before_a_step_do_no_harm() -> None:
     world, water = pool()
     water.fill((0, 0, 1, 1))

@@ -248,7 +248,9 @@ void register_smokes(nb::module_& module) {
         return std::tuple(now.strength, now.middle.x, now.middle.y, now.size);
     });
     c.def("_stir", [](const SmokeHandle& h, Pair at, float radius, Pair velocity) {
-        fluid::stir(row(h), {std::get<0>(at), std::get<1>(at)}, radius, {std::get<0>(velocity), std::get<1>(velocity)});
+        fluid::Smoke& smoke = row(h);
+        fluid::stir(*h.world, smoke, {std::get<0>(at), std::get<1>(at)}, radius,
+                    {std::get<0>(velocity), std::get<1>(velocity)});
     });
     c.def("_sources", [](const SmokeHandle& h) {
         (void)row(h);
@@ -257,6 +259,12 @@ void register_smokes(nb::module_& module) {
         for (std::uint32_t i = 0; i < all.source_slots.size(); ++i)
             if (all.source_slots.taken(i) && all.sources[i].smoke == h.ref.slot) list.push_back(i);
         return list;
+    });
+    c.def("_take_back", [](SmokeHandle& h) { // as if it had not been made
+        const std::uint64_t serial = row(h).serial;
+        h.died = h.world->steps, h.buried = true;
+        fluid::destroy_smoke(*h.world, h.ref.slot);
+        h.world->fluids.next_serial = serial;
     });
     c.def("_destroy", [](SmokeHandle& h) {
         require_alive(h);

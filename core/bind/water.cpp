@@ -19,12 +19,12 @@ struct ParticleView {
     float* pairs = nullptr;        // two floats each, which may be written
     std::uint8_t* kinds = nullptr; // or a byte each
     Py_ssize_t shape[2], strides[2];
-    int dimensions() const { return pairs != nullptr ? 2 : 1; }
+    bool paired() const { return shape[1] == 2; } // pointers tell nothing: those of an empty water are null
 };
 
 int get_buffer(PyObject* self, Py_buffer* buffer, int flags) {
     ParticleView* view = nb::inst_ptr<ParticleView>(self);
-    const bool pairs = view->pairs != nullptr;
+    const bool pairs = view->paired();
     if (!pairs && (flags & PyBUF_WRITABLE) != 0) {
         PyErr_SetString(PyExc_BufferError, "which liquid a particle is cannot be written");
         buffer->obj = nullptr;
@@ -37,7 +37,7 @@ int get_buffer(PyObject* self, Py_buffer* buffer, int flags) {
     buffer->len = view->shape[0] * view->strides[0];
     buffer->itemsize = pairs ? sizeof(float) : 1;
     buffer->readonly = pairs ? 0 : 1;
-    buffer->ndim = view->dimensions();
+    buffer->ndim = pairs ? 2 : 1;
     buffer->format = const_cast<char*>(pairs ? "f" : "B");
     buffer->shape = view->shape;
     buffer->strides = view->strides;
@@ -69,21 +69,19 @@ void register_particle_views(nb::module_& module) {
                                "velocities, two float32 each, may be written. `numpy.asarray(view)` works.");
     c.def("__len__", [](const ParticleView& view) { return view.shape[0]; });
     c.def_prop_ro("shape", [](const ParticleView& view) {
-        nb::tuple shape =
-            view.pairs != nullptr ? nb::make_tuple(view.shape[0], view.shape[1]) : nb::make_tuple(view.shape[0]);
+        nb::tuple shape = view.paired() ? nb::make_tuple(view.shape[0], view.shape[1]) : nb::make_tuple(view.shape[0]);
         return nb::borrow<nb::typed<nb::tuple, int, nb::ellipsis>>(shape);
     });
     c.def("__getitem__", [](const ParticleView& view, Py_ssize_t at) -> nb::object {
         const Py_ssize_t i = index_in(view, at);
-        if (view.pairs == nullptr) return nb::int_(view.kinds[i]);
+        if (!view.paired()) return nb::int_(view.kinds[i]);
         return from_vec2({view.pairs[2 * i], view.pairs[2 * i + 1]});
     });
     c.def(
         "__setitem__",
         [](ParticleView& view, Py_ssize_t at, nb::handle value) {
             const Py_ssize_t i = index_in(view, at);
-            if (view.pairs == nullptr)
-                raise(ErrorKind::argument, "Water: which liquid a particle is cannot be written");
+            if (!view.paired()) raise(ErrorKind::argument, "Water: which liquid a particle is cannot be written");
             const Vec2 wanted = to_vec2(value, "Water", "particle");
             view.pairs[2 * i] = wanted.x, view.pairs[2 * i + 1] = wanted.y;
             view.owner->lent = true;

@@ -1,4 +1,4 @@
-#include "fluid/scratch.hpp"
+#include "fluid/flow.hpp"
 #include "fluid/state.hpp"
 #include "fluid/water/pouring.hpp"
 #include "world.hpp"
@@ -77,9 +77,15 @@ void settle_fluids(World& world) {
     for (std::uint32_t i = 0; i < world.fluids.water_slots.size(); ++i)
         if (world.fluids.water_slots.taken(i) && world.fluids.waters[i]->particles->lent)
             settle(*world.fluids.waters[i]);
-    for (std::uint32_t i = 0; i < world.fluids.smoke_slots.size(); ++i)
-        if (world.fluids.smoke_slots.taken(i) && world.fluids.smokes[i]->views->lent)
-            make_numbers(*world.fluids.smokes[i]->views);
+    for (std::uint32_t i = 0; i < world.fluids.smoke_slots.size(); ++i) {
+        if (!world.fluids.smoke_slots.taken(i) || !world.fluids.smokes[i]->views->lent) continue;
+        Smoke& smoke = *world.fluids.smokes[i];
+        make_numbers(*smoke.views);
+        if (smoke.method == fluid::Method::stam) continue;
+        const fluid::Step step{smoke, *smoke.scratch, world, 0.0f};
+        take_over(step); // whoever reads the file does not know what was written
+        show(step);
+    }
 }
 
 namespace {

@@ -1,6 +1,5 @@
 #include "fluid/sources.hpp"
-#include "fluid/scratch.hpp"
-#include "world.hpp"
+#include "fluid/flow.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -143,12 +142,16 @@ void apply_sources(Smoke& smoke, std::uint32_t slot, const World& world, float d
     }
 }
 
-void stir(Smoke& smoke, Vec2 at, float radius, Vec2 velocity) {
+void stir(World& world, Smoke& smoke, Vec2 at, float radius, Vec2 velocity) {
+    const Step step{smoke, *smoke.scratch, world, 0.0f};
+    const bool shown = smoke.method != Method::stam; // there, what is shown is the velocity itself
+    if (shown && smoke.views->lent) take_over(step);
     const Vec2 reach{radius, radius};
     each_velocity(smoke, span_of(smoke.grid, at - reach, at + reach), [&](float& value, Vec2 here, int axis) {
         const float far = length_squared(here - at) / (radius * radius), share = std::max(1.0f - far, 0.0f);
         value += share * share * ((axis == 0 ? velocity.x : velocity.y) - value);
     });
+    if (shown) show(step); // or the next step would take what is seen for what was written
 }
 
 } // namespace evil::fluid

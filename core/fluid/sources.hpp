@@ -8,6 +8,6 @@ namespace evil::fluid {
 void apply_sources(Smoke& smoke, std::uint32_t slot, const World& world, float dt);
 
 // A push by hand: gas within `radius` of a point moves on with that velocity, the more the nearer it is.
-void stir(Smoke& smoke, Vec2 at, float radius, Vec2 velocity);
+void stir(World& world, Smoke& smoke, Vec2 at, float radius, Vec2 velocity);
 
 } // namespace evil::fluid

@@ -165,7 +165,7 @@ class Things:
         try:
             self.scene.gases.add(smoke, looks)
         except BaseException:
-            smoke.destroy()
+            smoke._take_back()
             raise
         return smoke
 

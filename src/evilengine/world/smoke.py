@@ -260,7 +260,7 @@ class Fluids:
             smoke.cooling, smoke.fade, smoke.burning, smoke.heat, smoke.soot = cooling, fade, burning, heat, soot
             smoke.weight, smoke.wind, smoke.wind_pull = weight, wind, wind_pull
         except BaseException:
-            smoke.destroy()
+            smoke._take_back()
             raise
         return smoke
 
