@@ -70,7 +70,7 @@ def point_doors(body: evil.Body) -> dict[str, Callable[[Any], object]]:
     }
 
 
-NO_NUMBERS = [None, "1", "one", b"1", 1j, [], (1,), True, False, numpy.array([1.0, 2.0]), object()]
+NO_NUMBERS = [None, "1", "one", b"1", 1j, [], (1,), True, False, numpy.array([1.0, 2.0]), ...]
 NO_POINTS = ["12", b"12", bytearray(b"12"), 5, None, (1,), (1, 2, 3), ("1", "2"), (None, None), {1: 2, 3: 4}, {1, 2}]
 
 

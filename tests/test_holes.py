@@ -279,6 +279,7 @@ def test_the_debug_view_shows_holes() -> None:
     stage = Stage()
     stage.add(WINDOW)
     stage.scene.debug = True
+    stage.scene.debug_view.legend = False  # which takes most of so small a picture
     assert stage.at(0.25, 0)[1] > 100 > stage.at(0.6, 0)[1]
 
 
