@@ -6,8 +6,8 @@
 namespace evil::fluid {
 namespace {
 
-constexpr float kHeld = 0.05f;    // share of a gain: less than that is how a step rounds
-constexpr float kWakes = 0.5f;    // m/s2 by which the push on a sleeping body must change to wake it
+constexpr float kHeld = 0.05f; // share of a gain: less than that is how a step rounds
+constexpr float kWakes = 0.5f; // m/s2 by which the push on a sleeping body must change to wake it
 
 // Reaches by body, in the order of their cells.
 void sort_reaches(WaterScratch& s, std::size_t bodies) {

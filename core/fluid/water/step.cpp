@@ -9,10 +9,10 @@ namespace {
 void step(World& world, Water& water, std::uint32_t slot, float dt) {
     update_banks(world, water);
     apply_streams(world, water, slot, dt);
-    take_in(world, water);          // sorted, out of bodies
-    gather_flow(world, water, dt);  // particles to faces
-    find_liquid(world, water);      // cells and their surface
-    press_flow(world, water, dt);   // nothing gathers; bodies are pushed
+    take_in(world, water);         // sorted, out of bodies
+    gather_flow(world, water, dt); // particles to faces
+    find_liquid(world, water);     // cells and their surface
+    press_flow(world, water, dt);  // nothing gathers; bodies are pushed
     drift_small_bodies(world, water, dt);
     scatter_flow(world, water, dt); // faces to particles, which move
     give_out(world, water, dt);
