@@ -4,24 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from tank import pool, run
 
 import evilengine as evil
-
-
-def pool() -> tuple[evil.World, evil.Water]:
-    world = evil.World()
-    water = world.add_water((-4, -3, 4, 3), particle_size=0.1)
-    world.add(evil.Rectangle(10, 1), at=(0, -3.5), kind="static")
-    for x in (-4.5, 4.5):
-        world.add(evil.Rectangle(1, 10), at=(x, 0), kind="static")
-    water.fill((-4, -3, 4, 0))
-    return world, water
-
-
-def run(world: evil.World, seconds: float) -> None:
-    for _ in range(round(60 * seconds)):
-        world.step()
-
 
 SMALL = [
     evil.Circle(0.03),
@@ -34,7 +19,8 @@ SMALL = [
 
 @pytest.mark.parametrize("shape", SMALL)
 def test_corks_rise_and_pebbles_sink(shape: object) -> None:
-    world, _ = pool()
+    world, water = pool()
+    water.fill((-4, -3, 4, 0))
     corks = [world.add(shape, at=(-3 + 0.77 * k, -1.5), density=0.4) for k in range(8)]
     pebbles = [world.add(shape, at=(-2.7 + 0.77 * k, -1), density=2.5) for k in range(8)]
     run(world, 6)
@@ -43,18 +29,15 @@ def test_corks_rise_and_pebbles_sink(shape: object) -> None:
 
 
 def test_one_as_dense_as_water_stays_where_it_is() -> None:
-    world, _ = pool()
+    world, water = pool()
+    water.fill((-4, -3, 4, 0))
     body = world.add(evil.Circle(0.06), at=(0, -1.5), density=1)
     run(world, 3)
     assert body.position == pytest.approx((0, -1.5), abs=0.3)
 
 
 def test_one_that_sleeps_on_the_floor_wakes_when_water_comes() -> None:
-    world = evil.World()
-    water = world.add_water((-4, -3, 4, 3), particle_size=0.1)
-    world.add(evil.Rectangle(10, 1), at=(0, -3.5), kind="static")
-    for x in (-4.5, 4.5):
-        world.add(evil.Rectangle(1, 10), at=(x, 0), kind="static")
+    world, water = pool()
     cork = world.add(evil.Circle(0.06), at=(2, -2.9), density=0.3)
     run(world, 3)
     assert not cork.awake

@@ -2,17 +2,8 @@
 // What bodies close of cells' faces, and so take part in what flows out of the cells.
 #include "fluid/water/scratch.hpp"
 #include "world.hpp"
-#include <algorithm>
 
 namespace evil::fluid {
-
-inline float heaviest(const Water& water) {
-    float most = 0.0f;
-    for (const Liquid& liquid : water.liquids) most = std::max(most, liquid.density);
-    return most;
-}
-
-inline constexpr float kMostPush = 1e4f; // m/s2: a squeezed pocket may press without bounds
 
 class Finder {
 public:

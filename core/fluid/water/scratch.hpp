@@ -7,6 +7,8 @@
 
 namespace evil::fluid {
 
+inline constexpr float kMostPush = 1e4f; // m/s2 of a body: a squeezed pocket may press without bounds
+
 // Particles in the order of their cells, in cells and m/s; arrays have room for eight more.
 struct Swarm {
     std::vector<float> x, y, u, v;

@@ -133,10 +133,9 @@ void take_in(const World& world, Water& water) {
             s.first[at] = sum;
             sum += here;
         }
-    float heaviest = 0.0f;
+    const float heavy = heaviest(water);
     std::array<float, kMostLiquids> mass{};
-    for (const Liquid& liquid : water.liquids) heaviest = std::max(heaviest, liquid.density);
-    for (std::size_t k = 0; k < water.liquids.size(); ++k) mass[k] = water.liquids[k].density / heaviest;
+    for (std::size_t k = 0; k < water.liquids.size(); ++k) mass[k] = water.liquids[k].density / heavy;
     const std::size_t last_liquid = water.liquids.size() - 1;
     for (std::size_t k = 0; k < water.count; ++k) {
         const std::size_t to = s.first[static_cast<std::size_t>(swarm.cell[k])]++;

@@ -162,9 +162,8 @@ private:
 void drag_bodies(World& world, const Water& water, float dt) {
     ThickScratch& t = water.scratch->thick;
     std::ranges::stable_sort(t.rubs, {}, &Rub::body);
-    float heaviest = 0.0f;
-    for (const Liquid& liquid : water.liquids) heaviest = std::max(heaviest, liquid.density);
-    const float mass_of_face = heaviest * water.grid.h * water.grid.h;
+    const float heavy = heaviest(water);
+    const float mass_of_face = heavy * water.grid.h * water.grid.h;
     for (std::size_t first = 0, last = 0; first < t.rubs.size(); first = last) {
         Body& b = world.bodies.rows[t.rubs[first].body];
         Vec2 push, mass;
@@ -235,16 +234,15 @@ void stretch_skin(Water& water, float dt) {
     s.has_skin = true;
     if (s.tension.empty()) s.tension.lay_out(g);
     mean_of_liquids(water, &Liquid::surface_tension, s.tension);
-    float heaviest = 0.0f;
-    for (const Liquid& liquid : water.liquids) heaviest = std::max(heaviest, liquid.density);
+    const float heavy = heaviest(water);
     const PressLevel& level = s.press.finest();
     for (const Tile& tile : s.wet_tiles)
         for (int i = std::max(tile.i, 2); i < std::min(tile.i + 8, g.nx - 2); ++i) {
             const std::ptrdiff_t at = g.at(i, tile.j);
             if (tile.j < 2 || tile.j >= g.ny - 2 || level.drain[at] == 0.0f) continue;
-            const float most = heaviest * s.mass[at] * g.h * g.h * g.h / (kCalm * dt * dt);
+            const float most = heavy * s.mass[at] * g.h * g.h * g.h / (kCalm * dt * dt);
             const float tension = std::min(s.tension[at], most);
-            s.skin[at] = tension * bend_at(s, at, g.stride) / g.h * dt / (heaviest * g.h);
+            s.skin[at] = tension * bend_at(s, at, g.stride) / g.h * dt / (heavy * g.h);
         }
 }
 

@@ -41,6 +41,12 @@ void destroy_water(World& world, std::uint32_t water) {
     all.water_slots.release(water);
 }
 
+float heaviest(const Water& water) {
+    float most = 0.0f;
+    for (const Liquid& liquid : water.liquids) most = std::max(most, liquid.density);
+    return most;
+}
+
 bool make_room(Water& water, std::size_t count) {
     if (count > kMostParticles) return false;
     const Particles& now = *water.particles;

@@ -80,6 +80,8 @@ std::unique_ptr<Water> make_water(const Grid& grid, float particle_size);
 WaterRef add_water(World& world, std::unique_ptr<Water> water);
 void destroy_water(World& world, std::uint32_t water);
 
+float heaviest(const Water& water); // density of its liquids
+
 // Room for so many particles in all; false: that is more than one water holds.
 [[nodiscard]] bool make_room(Water& water, std::size_t count);
 

@@ -131,10 +131,7 @@ class Smoke(_core.Smoke):
         >>> smoke = evil.World().add_smoke((0, 0, 4, 4), cells=16)
         >>> smoke.stir((2, 2), radius=1, velocity=(3, 0))
         """
-        me = "Smoke.stir"
-        middle, wanted = place(at, me), flow(velocity, me, "velocity")
-        reach = number(radius, me, "radius", above=0.0, most=1e4)
-        self._stir((middle.x, middle.y), reach, (wanted.x, wanted.y))
+        self._stir(*stirring(at, radius, velocity, "Smoke.stir"))
 
     @known_keywords
     def density_at(self, points: Any) -> Any:
@@ -326,3 +323,11 @@ def flow(value: Point, me: str, argument: str) -> Vec2:
     if velocity.length > 1e4:
         raise ArgumentError(f"{me}: {argument}={value!r} must be at most 1e4 m/s")
     return velocity
+
+
+def stirring(
+    at: Point, radius: float, velocity: Point, me: str
+) -> tuple[tuple[float, float], float, tuple[float, float]]:
+    """Where, how far and how fast a hand pushes gas or liquid, as the core takes it."""
+    middle, wanted = place(at, me), flow(velocity, me, "velocity")
+    return (middle.x, middle.y), number(radius, me, "radius", above=0.0, most=1e4), (wanted.x, wanted.y)

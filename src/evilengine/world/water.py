@@ -15,7 +15,7 @@ from evilengine.world.arguments import place
 from evilengine.world.character import Area, to_area
 from evilengine.world.liquid import BLUE, MOST_LIQUIDS, Liquid, made_of, of_first
 from evilengine.world.shapes import Circle, Rectangle, ShapeDefinition
-from evilengine.world.smoke import LEAST_CELLS, MOST_CELLS, SIDES, flow, one_or_all, sides
+from evilengine.world.smoke import LEAST_CELLS, MOST_CELLS, SIDES, flow, one_or_all, sides, stirring
 from evilengine.world.smoke import Fluids as Fluids
 
 if TYPE_CHECKING:
@@ -272,10 +272,7 @@ class Water(_core.Water):
         >>> water.velocity_at((2, 1)).x > 2
         True
         """
-        me = "Water.stir"
-        middle, wanted = place(at, me), flow(velocity, me, "velocity")
-        reach = number(radius, me, "radius", above=0.0, most=1e4)
-        self._stir((middle.x, middle.y), reach, (wanted.x, wanted.y))
+        self._stir(*stirring(at, radius, velocity, "Water.stir"))
 
     @known_keywords
     def velocity_at(self, points: Any) -> Any:
