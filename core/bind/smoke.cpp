@@ -188,12 +188,12 @@ using RampOf = std::array<std::uint32_t, fluid::kRamp>;
 // A picture of it, as values.image has them.
 nb::bytes paint(const SmokeHandle& h, const RampOf& colours, float scale, bool heat) {
     const fluid::Smoke& smoke = row(h);
-    nb::bytes bytes =
-        nb::steal<nb::bytes>(PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(4 * smoke.grid.cells())));
+    const std::size_t count = 4 * smoke.grid.cells();
+    nb::bytes bytes = nb::steal<nb::bytes>(
+        PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(count * sizeof(std::uint32_t))));
     if (!bytes.is_valid()) throw std::bad_alloc();
-    std::vector<std::uint32_t> pixels(smoke.grid.cells());
-    (heat ? fluid::paint_heat : fluid::paint_density)(smoke, {colours, scale}, pixels);
-    std::memcpy(PyBytes_AsString(bytes.ptr()), pixels.data(), 4 * pixels.size());
+    auto* pixels = reinterpret_cast<std::uint32_t*>(PyBytes_AsString(bytes.ptr())); // new, and aligned
+    fluid::paint(smoke, heat ? fluid::Shown::heat : fluid::Shown::density, {colours, scale}, {pixels, count});
     return bytes;
 }
 

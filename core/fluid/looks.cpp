@@ -1,49 +1,58 @@
-#include "fluid/looks.hpp"
+#include "fluid/looks_wide.hpp"
 #include <algorithm>
 #include <cmath>
 
 namespace evil::fluid {
 namespace {
 
-// The ramp's entry for a value. 1 - exp(-x) without exp: to the cubic term, which no eye tells from it.
-std::size_t entry(const Ramp& ramp, float value) {
-    const float x = std::clamp(value * ramp.scale, 0.0f, 50.0f);
-    const float shown = 1.0f - 1.0f / (1.0f + x * (1.0f + x * (0.5f + x * (1.0f / 6.0f))));
-    return static_cast<std::size_t>(shown * static_cast<float>(kRamp - 1) + 0.5f);
-}
+// A row between rows of cells, number by number, as PaintRow wants it.
+struct Mixed {
+    std::vector<float> numbers;
+    Planes planes{};
 
-template <class Paint> void each_pixel(const Smoke& smoke, std::span<std::uint32_t> pixels, Paint paint) {
-    const auto nx = static_cast<std::size_t>(smoke.grid.nx), ny = static_cast<std::size_t>(smoke.grid.ny);
-    for (std::size_t j = 0; j < ny; ++j)
-        for (std::size_t i = 0; i < nx; ++i) pixels[(ny - 1 - j) * nx + i] = paint(j * nx + i);
-}
-
-std::uint32_t tinted(std::uint32_t colour, const float* cell, float density, const Colour& own) {
-    const float parts[3] = {own.r, own.g, own.b};
-    std::uint32_t result = colour & 0xff000000u;
-    for (std::uint32_t k = 0; k < 3; ++k) {
-        const float here = cell[k] / std::max(density, 1e-6f), by = here / std::max(parts[k], 0.02f);
-        const float shown = std::clamp(static_cast<float>(colour >> (8 * k) & 255u) * by, 0.0f, 255.0f);
-        result |= static_cast<std::uint32_t>(shown + 0.5f) << (8 * k);
+    void mix(const float* cells, const Grid& grid, int row, const float share[3], InstructionSet set) {
+        constexpr int kBefore = 8, kAfter = 8;
+        const int room = kBefore + grid.nx + kAfter, eights = grid.nx / 8 * 8;
+        numbers.resize(4 * static_cast<std::size_t>(room));
+        const float* rows[3];
+        for (int k = 0; k < 3; ++k)
+            rows[k] = cells + std::ptrdiff_t{std::clamp(row + k - 1, 0, grid.ny - 1)} * 4 * grid.nx;
+        for (int k = 0; k < 4; ++k) planes[static_cast<std::size_t>(k)] = numbers.data() + k * room + kBefore;
+        EVIL_PICK(set, mix_cells_wide)(rows, share, planes, eights);
+        for (std::size_t k = 0; k < 4; ++k) {
+            for (int i = eights; i < grid.nx; ++i) {
+                const std::size_t at = 4 * static_cast<std::size_t>(i) + k;
+                planes[k][i] = rows[0][at] * share[0] + rows[1][at] * share[1] + rows[2][at] * share[2];
+            }
+            planes[k][-1] = planes[k][0];
+            std::fill_n(planes[k] + grid.nx, kAfter, planes[k][grid.nx - 1]);
+        }
     }
-    return result;
-}
+};
 
 } // namespace
 
-void paint_density(const Smoke& smoke, const Ramp& ramp, std::span<std::uint32_t> pixels) {
+void paint(const Smoke& smoke, Shown shown, const Ramp& ramp, std::span<std::uint32_t> pixels) {
     const Views& views = *smoke.views;
-    each_pixel(smoke, pixels, [&](std::size_t at) {
-        const float density = views.content[at].density;
-        const std::uint32_t colour = ramp.colours[entry(ramp, density)];
-        if (views.colour.empty() || (colour & 0xff000000u) == 0u) return colour;
-        return tinted(colour, &views.colour[4 * at], density, smoke.colour);
-    });
-}
-
-void paint_heat(const Smoke& smoke, const Ramp& ramp, std::span<std::uint32_t> pixels) {
-    each_pixel(smoke, pixels,
-               [&](std::size_t at) { return ramp.colours[entry(ramp, smoke.views->content[at].temperature)]; });
+    const Grid& grid = smoke.grid;
+    const InstructionSet set = best_instruction_set();
+    Mixed cells, parts;
+    PaintRow row{};
+    row.count = grid.nx, row.ramp = &ramp;
+    row.own[0] = smoke.colour.r, row.own[1] = smoke.colour.g, row.own[2] = smoke.colour.b;
+    for (int y = 0; y < 2 * grid.ny; ++y) {
+        const int j = grid.ny - 1 - y / 2;
+        const float above[3] = {kFar, kHere, kNear}, below[3] = {kNear, kHere, kFar};
+        const float* share = y % 2 == 0 ? above : below;
+        cells.mix(&views.content.front().density, grid, j, share, set);
+        row.shown = cells.planes[shown == Shown::density ? 0 : 1], row.open = cells.planes[3];
+        if (shown == Shown::density && !views.colour.empty()) {
+            parts.mix(views.colour.data(), grid, j, share, set);
+            std::copy_n(parts.planes.data(), 3, row.parts);
+        }
+        row.to = pixels.data() + static_cast<std::size_t>(y) * 2 * static_cast<std::size_t>(grid.nx);
+        EVIL_PICK(set, paint_row_wide)(row);
+    }
 }
 
 Blaze blaze(const Smoke& smoke, float above) {

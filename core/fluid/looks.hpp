@@ -12,9 +12,14 @@ struct Ramp {
     float scale = 1.0f;                         // of a value of 1 the ramp shows 1 - exp(-scale)
 };
 
-// One pixel a cell, rows from the top. Gas of several colours tints the ramp by each cell's own.
-void paint_density(const Smoke& smoke, const Ramp& ramp, std::span<std::uint32_t> pixels);
-void paint_heat(const Smoke& smoke, const Ramp& ramp, std::span<std::uint32_t> pixels);
+// A picture has two pixels a cell each way, rows from the top. What they show lies on a quadratic B-spline through the cells,
+// so that no cell is seen by itself: these are its shares a quarter of a cell off a cell's middle.
+inline constexpr float kNear = 0.28125f, kHere = 0.6875f, kFar = 0.03125f;
+
+enum class Shown : std::uint8_t { density, heat };
+
+// Gas of several colours tints the ramp by each cell's own.
+void paint(const Smoke& smoke, Shown shown, const Ramp& ramp, std::span<std::uint32_t> pixels);
 
 // Where its fire is and how strong: sums over what is hotter than `above`.
 struct Blaze {

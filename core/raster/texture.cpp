@@ -19,9 +19,27 @@ Share share(int at, int half, int size) {
     return {2 * at, {n - i, n, i + 1}, 2 * n + 1};
 }
 
+// The mean of four, each channel to the nearest.
+Pixel mean_of_four(const Pixel* above, const Pixel* below) {
+    constexpr Pixel kEven = 0x00ff00ffu, kTwo = 0x00020002u;
+    const auto sum = [&](int shift) {
+        return (above[0] >> shift & kEven) + (above[1] >> shift & kEven) + (below[0] >> shift & kEven) +
+               (below[1] >> shift & kEven) + kTwo;
+    };
+    return (sum(0) >> 2 & kEven) | (sum(8) >> 2 & kEven) << 8;
+}
+
 Picture halved(const Picture& from) {
     Picture to{std::max(1, from.width / 2), std::max(1, from.height / 2), {}};
     to.texels.resize(static_cast<std::size_t>(to.width) * static_cast<std::size_t>(to.height));
+    if (from.width % 2 == 0 && from.height % 2 == 0) { // by far the most
+        for (int y = 0; y < to.height; ++y) {
+            const Pixel* row = from.texels.data() + static_cast<std::size_t>(2 * y) * from.width;
+            Pixel* out = to.texels.data() + static_cast<std::size_t>(y) * to.width;
+            for (int x = 0; x < to.width; ++x) out[x] = mean_of_four(row + 2 * x, row + from.width + 2 * x);
+        }
+        return to;
+    }
     for (int y = 0; y < to.height; ++y) {
         const Share rows = share(y, to.height, from.height);
         for (int x = 0; x < to.width; ++x) {

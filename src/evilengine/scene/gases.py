@@ -26,6 +26,11 @@ HEAT_SCALE = 0.9
 """Of a temperature of 1, fire shows 1 - exp(-0.9) of its colours: 0.6 of the way to the hottest."""
 
 KINDS = ("smoke", "fire")
+HEAT = KINDS.index("fire")
+
+FINER = 2
+"""Pixels of a picture along a side of a cell, as the core paints them."""
+
 LOOKS = {
     "ramp": None, "opacity": 2.0, "fire": None, "glow": 1.0, "layer": 0, "lit": True, "light_radius": 8.0,
     "shadow": 1.0,
@@ -63,9 +68,12 @@ class Look:
 
     def paint(self, smoke: Smoke) -> None:
         """Make its pictures anew."""
+        size = (FINER * smoke.cells[0], FINER * smoke.cells[1])
         for kind, table in enumerate(self._tables):
-            scale = HEAT_SCALE if kind else self.opacity
-            self._keeper.update(self.textures[kind], Image.of(*smoke.cells, smoke._paint(table, scale, bool(kind))))
+            if kind == HEAT and self.glow == 0.0:
+                continue
+            scale = HEAT_SCALE if kind == HEAT else self.opacity
+            self._keeper.update(self.textures[kind], Image.of(*size, smoke._paint(table, scale, kind == HEAT)))
 
     def state(self) -> dict[str, Any]:
         """What a saved game keeps of it."""
