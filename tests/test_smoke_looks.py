@@ -39,6 +39,34 @@ def test_smoke_is_seen_where_it_is_and_the_thicker_the_better(renderer: str) -> 
     assert thick.min() > 200
 
 
+@pytest.mark.parametrize("renderer", ["soft", "gl"])
+def test_no_cell_is_seen_by_itself(renderer: str) -> None:
+    """The edge of a slanting cloud is a straight line, not the stairs of its cells."""
+    try:
+        game, smoke = a_game(renderer, opacity=1, lit=False)
+    except evil.DeviceError:
+        pytest.skip("no driver here")
+    row, column = np.mgrid[0:32, 0:32]
+    np.asarray(smoke.density)[:, :] = 8.0 * (column > 0.5 * row + 6)
+    game.step(1)
+    bright = pixels(game)[30:130, :, 0] / 255.0
+    edge = (bright > 0.5).argmax(axis=1)
+    edge = edge - (bright[range(100), edge] - 0.5) / (bright[range(100), edge] - bright[range(100), edge - 1])
+    straight = np.polyval(np.polyfit(np.arange(100), edge, 1), np.arange(100))
+    assert abs(edge - straight).max() < 0.25 * 5  # pixels; a cell has 5
+
+
+def test_smoke_reaches_what_is_solid_and_ends_there() -> None:
+    game, smoke = a_game(opacity=50, lit=False)
+    game.add(evil.Rectangle(2, 2), at=(0, 2), kind="static", colour="#000000", layer=-1)
+    game.step(1)
+    np.asarray(smoke.density)[:, :] = 5.0
+    game.step(1)
+    row = pixels(game)[80, :, 0]
+    assert row[:40].min() > 200, "up to its face"
+    assert row[46:114].max() < 10, "and not behind it"
+
+
 def test_smoke_takes_the_light_of_lamps_and_fire_shines_by_itself() -> None:
     game, smoke = a_game(light_radius=0, cooling=0)
     np.asarray(smoke.density)[:, :] = 3.0
@@ -72,6 +100,34 @@ def test_a_fire_has_its_lamp_whether_anybody_looks_or_not() -> None:
     assert lamps == 1
     pixels(game)
     assert len(game.lights) == lamps, "drawing makes none"
+
+
+def test_each_fire_of_a_smoke_has_its_own_lamp(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
+    game, smoke = a_game()
+    torches = [smoke.add_source(at=(x, 1), radius=0.2, fuel=5, temperature=1) for x in (-1.5, 1.5)]
+    smoke.add_source(at=(0, 1), radius=0.2, rate=1)
+    game.step(10)
+    assert sorted(round(light.at.x, 1) for light in game.lights) == [-1.5, 1.5]
+    game.save("torches")
+    torches[0].destroy()
+    np.asarray(smoke.temperature)[:, :16] = 0.0
+    game.step(1)
+    assert [round(light.at.x, 1) for light in game.lights if light.on] == [1.5]
+    game.resume("torches")
+    game.step(10)
+    assert sorted(round(light.at.x, 1) for light in game.lights) == [-1.5, 1.5]
+
+
+def test_a_lamp_that_was_put_out_by_hand_stays_out_and_others_are_left_alone() -> None:
+    game, smoke = a_game()
+    smoke.add_source(at=(0, 1), radius=0.3, fuel=5, temperature=1)
+    game.step(10)
+    game.lights.clear()
+    own = game.add_light(at=(1, 1), radius=2)
+    game.step(10)
+    assert list(game.lights) == [own]
+    assert own.at == evil.Vec2(1, 1)
 
 
 def test_colours_of_two_sources_stay_apart() -> None:

@@ -232,6 +232,24 @@ def test_fast_water_throws_up_foam_that_fades_again() -> None:
     assert foam.count == 0
 
 
+def test_bodies_stop_foam() -> None:
+    game = game_of()
+    game.add(evil.Rectangle(0.5, 1.6), at=(0.5, -1.7), kind="static")
+    game.add(evil.Rectangle(8, 0.6), at=(0, -2.4), kind="static")
+    game.add(evil.Circle(0.4), at=(2, -1.5), density=0.5)
+    pour(game, lambda x, y: (x < -2) & (y < 2), foam=3)
+    foam, seen, inside = game.scene.waters.alive()[0]._foam, 0, 0
+    for _ in range(30):
+        game.step(5)
+        if foam.count == 0:
+            continue
+        flecks = np.frombuffer(foam.snapshot()[-32 * foam.count :], np.float32).reshape(-1, 8)
+        seen += foam.count
+        inside += sum(bool(found) for found in game.world.bodies_at_each(flecks[:, :2]))
+    assert seen > 2000
+    assert inside < 0.005 * seen  # a body may be pushed over some
+
+
 def test_without_foam_there_is_none() -> None:
     game = game_of()
     pour(game, lambda x, y: (x < -2) & (y < 2), foam=0)

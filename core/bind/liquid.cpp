@@ -76,7 +76,7 @@ void step_foam(particles::Foam& foam, const World& world, std::uint32_t slot, fl
     waters.spacing = water.particle_size, waters.low = water.grid.low, waters.high = high_of(water.grid);
     for (std::size_t side = 0; side < 4; ++side) waters.closed[side] = !water.open[side];
     waters.gravity = world.gravity;
-    particles::step(foam, waters, amount, dt);
+    particles::step(foam, waters, world, amount, dt);
 }
 
 void register_foam(nb::module_& module) {

@@ -197,6 +197,31 @@ nb::bytes paint(const SmokeHandle& h, const RampOf& colours, float scale, bool h
     return bytes;
 }
 
+std::vector<std::uint32_t> sources_of(const SmokeHandle& h) {
+    (void)row(h);
+    std::vector<std::uint32_t> list;
+    const Fluids& all = h.world->fluids;
+    for (std::uint32_t i = 0; i < all.source_slots.size(); ++i)
+        if (all.source_slots.taken(i) && all.sources[i].smoke == h.ref.slot) list.push_back(i);
+    return list;
+}
+
+using BlazeRow = std::tuple<std::uint32_t, float, float, float, float>;
+std::vector<BlazeRow> blazes_of(const SmokeHandle& h, float above) {
+    std::vector<std::uint32_t> sources = sources_of(h);
+    std::vector<Vec2> places;
+    for (const std::uint32_t slot : sources)
+        places.push_back(fluid::middle_of(h.world->fluids.sources[slot], *h.world));
+    if (places.empty()) places.push_back({}), sources.push_back(kNone);
+    std::vector<fluid::Blaze> blazes;
+    fluid::find_blazes(row(h), above, places, blazes);
+    std::vector<BlazeRow> rows;
+    for (std::size_t k = 0; k < blazes.size(); ++k)
+        if (const fluid::Blaze& b = blazes[k]; b.strength > 0.0f)
+            rows.emplace_back(sources[k], b.strength, b.middle.x, b.middle.y, b.size);
+    return rows;
+}
+
 void register_smokes(nb::module_& module) {
     nb::class_<SmokeHandle> c(module, "Smoke", "A handle of a smoke: its slot and generation.");
     bind_handle(c);
@@ -243,23 +268,15 @@ void register_smokes(nb::module_& module) {
         "Divergence before and after the last projection, root mean square, 1/s, from the step after the first call "
         "on.");
     c.def("_paint", &paint, nb::arg("colours"), nb::arg("scale"), nb::arg("heat"));
-    c.def("_blaze", [](const SmokeHandle& h, float above) {
-        const fluid::Blaze now = fluid::blaze(row(h), above);
-        return std::tuple(now.strength, now.middle.x, now.middle.y, now.size);
-    });
+    c.def("_blazes", &blazes_of, nb::arg("above"),
+          "Of each source that there is fire near: its slot, how strong that is, where and how large; of all fire, if "
+          "there are no sources.");
     c.def("_stir", [](const SmokeHandle& h, Pair at, float radius, Pair velocity) {
         fluid::Smoke& smoke = row(h);
         fluid::stir(*h.world, smoke, {std::get<0>(at), std::get<1>(at)}, radius,
                     {std::get<0>(velocity), std::get<1>(velocity)});
     });
-    c.def("_sources", [](const SmokeHandle& h) {
-        (void)row(h);
-        std::vector<std::uint32_t> list;
-        const Fluids& all = h.world->fluids;
-        for (std::uint32_t i = 0; i < all.source_slots.size(); ++i)
-            if (all.source_slots.taken(i) && all.sources[i].smoke == h.ref.slot) list.push_back(i);
-        return list;
-    });
+    c.def("_sources", &sources_of);
     c.def("_take_back", [](SmokeHandle& h) { // as if it had not been made
         const std::uint64_t serial = row(h).serial;
         h.died = h.world->steps, h.buried = true;

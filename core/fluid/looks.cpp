@@ -55,22 +55,32 @@ void paint(const Smoke& smoke, Shown shown, const Ramp& ramp, std::span<std::uin
     }
 }
 
-Blaze blaze(const Smoke& smoke, float above) {
+void find_blazes(const Smoke& smoke, float above, std::span<const Vec2> places, std::vector<Blaze>& blazes) {
+    struct Sums {
+        double heat = 0.0, x = 0.0, y = 0.0, square = 0.0;
+    };
     const Grid& g = smoke.grid;
-    double sum = 0.0, x = 0.0, y = 0.0, square = 0.0;
+    std::vector<Sums> sums(places.size());
     const Cell* cell = smoke.views->content.data();
     for (int j = 0; j < g.ny; ++j)
         for (int i = 0; i < g.nx; ++i, ++cell) {
             const double heat = double(cell->temperature) - double(above);
             if (!(heat > 0.0)) continue;
-            sum += heat, x += heat * i, y += heat * j, square += heat * (double(i) * i + double(j) * j);
+            const Vec2 at = g.low + g.h * Vec2{static_cast<float>(i) + 0.5f, static_cast<float>(j) + 0.5f};
+            const auto nearest = std::ranges::min_element(places, {}, [at](Vec2 p) { return length_squared(p - at); });
+            Sums& s = sums[static_cast<std::size_t>(nearest - places.begin())];
+            s.heat += heat, s.x += heat * i, s.y += heat * j, s.square += heat * (double(i) * i + double(j) * j);
         }
-    if (sum == 0.0) return {};
-    x /= sum, y /= sum;
-    const double spread = std::sqrt(std::max(square / sum - x * x - y * y, 0.0));
-    return {static_cast<float>(sum * double(g.h) * double(g.h)),
-            g.low + g.h * Vec2{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f},
-            static_cast<float>(spread) * g.h};
+    blazes.assign(places.size(), {});
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+        const Sums& s = sums[k];
+        if (s.heat == 0.0) continue;
+        const double x = s.x / s.heat, y = s.y / s.heat;
+        const double spread = std::sqrt(std::max(s.square / s.heat - x * x - y * y, 0.0));
+        blazes[k] = {static_cast<float>(s.heat * double(g.h) * double(g.h)),
+                     g.low + g.h * Vec2{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f},
+                     static_cast<float>(spread) * g.h};
+    }
 }
 
 } // namespace evil::fluid

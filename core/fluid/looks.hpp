@@ -2,6 +2,7 @@
 // What gas looks like: a picture of its density, and one of its heat as light, each by a ramp of colours.
 #include "fluid/smoke.hpp"
 #include <span>
+#include <vector>
 
 namespace evil::fluid {
 
@@ -21,12 +22,12 @@ enum class Shown : std::uint8_t { density, heat };
 // Gas of several colours tints the ramp by each cell's own.
 void paint(const Smoke& smoke, Shown shown, const Ramp& ramp, std::span<std::uint32_t> pixels);
 
-// Where its fire is and how strong: sums over what is hotter than `above`.
+// A fire: sums over what is hotter than `above`, and nearer to its place than to any other.
 struct Blaze {
     float strength = 0.0f; // degrees above, times m2
     Vec2 middle;
     float size = 0.0f; // metres from the middle, on average
 };
-Blaze blaze(const Smoke& smoke, float above);
+void find_blazes(const Smoke& smoke, float above, std::span<const Vec2> places, std::vector<Blaze>& blazes);
 
 } // namespace evil::fluid

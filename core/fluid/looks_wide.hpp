@@ -9,7 +9,8 @@ namespace fluid {
 
 using Planes = std::array<float*, 4>; // one of each of a cell's numbers
 
-struct PaintRow { // of cells, and the pixels of it. What is read has one more before the first cell, and eight after the last
+struct
+    PaintRow { // of cells, and the pixels of it. What is read has one more before the first cell, and eight after the last
     const float *shown, *open; // a cell's number, and how much of it is gas
     const float* parts[3];     // red, green and blue times density, or null: all of it has the ramp's colours
     int count;                 // of cells

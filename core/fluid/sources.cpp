@@ -142,6 +142,8 @@ void apply_sources(Smoke& smoke, std::uint32_t slot, const World& world, float d
     }
 }
 
+Vec2 middle_of(const Source& source, const World& world) { return Place(source, world).middle(); }
+
 void stir(World& world, Smoke& smoke, Vec2 at, float radius, Vec2 velocity) {
     const Step step{smoke, *smoke.scratch, world, 0.0f};
     const bool shown = smoke.method != Method::stam; // there, what is shown is the velocity itself

@@ -120,8 +120,31 @@ float births(const Foam& foam, const Grid& grid, const Waters& waters, std::size
            (kFromTrapped * share(trapped, 1.2f * fast, 6.0f * fast) + kFromCrest * crest * share(wet, 0.7f, 1.5f));
 }
 
-void bear(Foam& foam, const Grid& grid, const Waters& waters, float fast, float amount, float dt) {
+// Those from `first` on came all the way from `foam.from` in this step: what they met stops them.
+void stop_at_bodies(Foam& foam, std::size_t first, const World& world) {
+    constexpr float kSkin = 1e-3f; // metres off what they met
+    if (first == foam.flecks.size()) return;
+    Bounds bounds{foam.from[first], foam.from[first]};
+    for (std::size_t i = first; i < foam.flecks.size(); ++i)
+        bounds = {min(bounds.low, min(foam.from[i], foam.flecks[i].at)),
+                  max(bounds.high, max(foam.from[i], foam.flecks[i].at))};
+    gather(foam.obstacles, world, bounds, ~0u);
+    if (foam.obstacles.rows.empty()) return;
+    for (std::size_t i = first; i < foam.flecks.size(); ++i) {
+        Fleck& fleck = foam.flecks[i];
+        const auto touch = first_touch(foam.obstacles, world, foam.from[i], fleck.at);
+        if (!touch) continue;
+        const Vec2 off = touch->point + kSkin * touch->normal;
+        fleck.at = first_touch(foam.obstacles, world, foam.from[i], off) ? foam.from[i] : off; // a corner holds it
+        const float into = dot(fleck.velocity - touch->velocity, touch->normal);
+        if (into < 0.0f) fleck.velocity -= into * touch->normal;
+    }
+}
+
+void bear(Foam& foam, const Grid& grid, const Waters& waters, const World& world, float fast, float amount, float dt) {
     if (grid.width == 0) return;
+    const std::size_t old = foam.flecks.size();
+    foam.from.resize(old);
     for (std::size_t i = 0; i < waters.at.size(); ++i) {
         float due = amount * dt * births(foam, grid, waters, i, fast);
         if (due == 0.0f) continue;
@@ -135,8 +158,10 @@ void bear(Foam& foam, const Grid& grid, const Waters& waters, float fast, float 
             fleck.size = size * size;
             fleck.life = fleck.whole = 0.7f + 2.2f * fleck.size + 1.2f * chance(foam.random);
             foam.flecks.push_back(fleck);
+            foam.from.push_back(waters.at[i]);
         }
     }
+    stop_at_bodies(foam, old, world);
 }
 
 bool is_inside(Vec2 at, const Waters& w) {
@@ -144,7 +169,7 @@ bool is_inside(Vec2 at, const Waters& w) {
            (w.closed[3] || at.y <= w.high.y);
 }
 
-// Walls stop it.
+// So do the walls of the water.
 void keep_inside(Fleck& fleck, const Waters& w) {
     if (w.closed[0] && fleck.at.x < w.low.x) fleck.at.x = w.low.x, fleck.velocity.x = std::max(fleck.velocity.x, 0.0f);
     if (w.closed[1] && fleck.at.x > w.high.x)
@@ -154,9 +179,11 @@ void keep_inside(Fleck& fleck, const Waters& w) {
         fleck.at.y = w.high.y, fleck.velocity.y = std::min(fleck.velocity.y, 0.0f);
 }
 
-void move(Foam& foam, const Grid& grid, const Waters& waters, float dt) {
+void move(Foam& foam, const Grid& grid, const Waters& waters, const World& world, float dt) {
     constexpr float kRise = 0.6f, kDrag = 12.0f, kAir = 0.4f; // of gravity; a second
+    foam.from.clear();
     for (Fleck& fleck : foam.flecks) {
+        foam.from.push_back(fleck.at);
         const Round round = look_round(foam, grid, fleck.at);
         fleck.wet = std::min(round.wet, 1.0f);
         if (round.wet < kDry) {
@@ -173,6 +200,7 @@ void move(Foam& foam, const Grid& grid, const Waters& waters, float dt) {
         fleck.at = fleck.at + dt * fleck.velocity;
         keep_inside(fleck, waters);
     }
+    stop_at_bodies(foam, 0, world);
     std::erase_if(foam.flecks, [&](const Fleck& fleck) {
         const bool here = std::fabs(fleck.at.x) < kFarthest && std::fabs(fleck.at.y) < kFarthest;
         return !(fleck.life > 0.0f && here && is_inside(fleck.at, waters));
@@ -181,13 +209,13 @@ void move(Foam& foam, const Grid& grid, const Waters& waters, float dt) {
 
 } // namespace
 
-void step(Foam& foam, const Waters& waters, float amount, float dt) {
+void step(Foam& foam, const Waters& waters, const World& world, float amount, float dt) {
     if (foam.flecks.empty() && (amount == 0.0f || waters.at.empty())) return;
     const float fall = std::max(length(waters.gravity), 1.0f),
                 fast = std::sqrt(2.0f * fall * kTallFall * waters.spacing);
     const Grid grid = fill_cells(foam, waters);
-    move(foam, grid, waters, dt);
-    bear(foam, grid, waters, fast, amount, dt);
+    move(foam, grid, waters, world, dt);
+    bear(foam, grid, waters, world, fast, amount, dt);
 }
 
 void collect(const Foam& foam, const FoamView& view, std::int32_t layer, draw::DrawList& out) {

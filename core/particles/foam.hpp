@@ -4,8 +4,9 @@
 //
 // Flecks are born where liquid is fast, and traps air or stands up as a crest. What the paper sums over neighbours is
 // summed over the nine cells round a particle here. A fleck with little liquid round it flies, one with much of it rises
-// through it, and between the two it drifts on the surface and fades.
+// through it, and between the two it drifts on the surface and fades. Bodies and walls stop it.
 #include "draw/draw_list.hpp"
+#include "particles/obstacles.hpp"
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -33,6 +34,8 @@ struct Foam {
     std::vector<Fleck> flecks; // in the order of birth
     // Scratch
     std::vector<FoamCell> cells;
+    std::vector<Vec2> from; // where the flecks were
+    Obstacles obstacles;
 };
 
 struct Waters { // what a step is told of the liquid
@@ -44,7 +47,7 @@ struct Waters { // what a step is told of the liquid
 };
 
 // What there is moves and fades; then what is due is born, `amount` times as much as by itself.
-void step(Foam& foam, const Waters& waters, float amount, float dt);
+void step(Foam& foam, const Waters& waters, const World& world, float amount, float dt);
 
 struct FoamView {
     Affine to_pixel;

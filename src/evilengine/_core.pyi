@@ -2555,7 +2555,10 @@ class Smoke:
 
     def _paint(self, colours: Sequence[int], scale: float, heat: bool) -> bytes: ...
 
-    def _blaze(self, arg: float, /) -> tuple[float, float, float, float]: ...
+    def _blazes(self, above: float) -> list[tuple[int, float, float, float, float]]:
+        """
+        Of each source that there is fire near: its slot, how strong that is, where and how large; of all fire, if there are no sources.
+        """
 
     def _stir(self, arg0: tuple[float, float], arg1: float, arg2: tuple[float, float], /) -> None: ...
 

@@ -14,10 +14,14 @@ from evilengine.world.shapes import Rectangle
 from evilengine.world.smoke import Smoke
 
 if TYPE_CHECKING:
+    from evilengine.scene.light import Light
     from evilengine.scene.scene import Scene
 
 FIRE = ("#000000", "#240300", "#7a1602", "#dc4a08", "#ff9a24", "#ffdc88", "#fff8e4")
 """The colours of fire, from none to the hottest; they are added to what lies behind."""
+
+GLOW = "#ff9a50"
+"""The colour of a fire's lamp."""
 
 HOT = 0.5
 """Temperature from which on gas lights what is round it."""
@@ -60,7 +64,8 @@ class Look:
         self.glow = number(row["glow"], owner, "glow", least=0.0, most=16.0)
         self.radius = number(row["light_radius"], owner, "light_radius", least=0.0, most=1e4)
         self.shadow = number(row.get("shadow", LOOKS["shadow"]), owner, "shadow", least=0.0, most=100.0)
-        self.light: int | None = row.get("light")
+        self.saved_lights: list[list[int]] = [[int(source), int(light)] for source, light in row.get("lights", ())]
+        self.lights: dict[int, Light] = {}  # by the slot of the source whose fire it is
         self.step = -1
         self._tables = [table_of(colours) for colours in self.colours]
         self._keeper = textures
@@ -80,7 +85,8 @@ class Look:
         ramp, fire = ([list(colour) for colour in colours] for colours in self.colours)
         return {
             "slot": self.slot, "ramp": ramp, "fire": fire, "opacity": self.opacity, "glow": self.glow,
-            "light_radius": self.radius, "light": self.light, "shadow": self.shadow,
+            "light_radius": self.radius, "shadow": self.shadow,
+            "lights": [[source, light._slot] for source, light in self.lights.items() if light.alive],
         }  # fmt: skip
 
 
@@ -133,21 +139,21 @@ class Gases:
         self._looks = [look for look in self._looks if look.smoke is not None and look.smoke.alive]
 
     def _shine(self, look: Look, smoke: Smoke) -> None:
-        """The fire's lamp: where the heat is, as bright as there is much of it."""
+        """The fire's lamps: one for each source that it burns near, where the heat is, as bright as there is much."""
         if look.glow == 0.0 or look.radius == 0.0:
             return
-        strength, x, y, size = smoke._blaze(HOT)
-        lights = self._scene.lights
-        if look.light is None and strength > 0.0:  # the first flame
-            look.light = lights.add(at=(x, y), colour="#ff9a50", radius=look.radius)._slot
-        light = None if look.light is None else lights._in_slot(look.light)
-        if light is None or not light.alive:
-            return
-        light.on = strength > 0.0
-        if light.on:
-            light.at = (x, y)
-            light.intensity = min(look.glow * strength**0.5, 4.0)
-            light.size = max(0.5 * size, 0.05)
+        burning = {source: blaze for source, *blaze in smoke._blazes(HOT)}
+        for source in sorted(burning.keys() - look.lights.keys()):  # the first flame
+            look.lights[source] = self._scene.lights.add(at=burning[source][1:3], colour=GLOW, radius=look.radius)
+        for source, light in look.lights.items():
+            if not light.alive:
+                continue
+            light.on = source in burning
+            if light.on:
+                strength, x, y, size = burning[source]
+                light.at = (x, y)
+                light.intensity = min(look.glow * strength**0.5, 4.0)
+                light.size = max(0.5 * size, 0.05)
 
     def shadows(self) -> list[tuple[int, float]]:
         """The smokes that take light away, by their slots, and how much."""
@@ -185,6 +191,7 @@ class SavedGases:
         smokes = {smoke.slot: smoke for smoke in scene.world.smokes}
         for look in self._looks:
             look.smoke = smokes.get(look.slot)
+            look.lights = {source: scene.lights._in_slot(light) for source, light in look.saved_lights}
         scene._texture_names.update({texture: name for name, texture in self._by_name.items()})
         self._gases._looks = self._looks
 
