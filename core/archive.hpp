@@ -137,7 +137,7 @@ public:
 
     template <Plain... T> void values(T&... v) {
         constexpr std::size_t size = (sizeof(T) + ...);
-        if (static_cast<std::size_t>(end_ - at_) < size) {
+        if (left() < size) {
             ok = false;
             ((v = T{}), ...);
             return;
@@ -153,9 +153,10 @@ public:
     std::size_t count(std::size_t = 0, std::size_t least = 1) {
         std::uint64_t n = 0;
         value(n);
-        if (n > static_cast<std::size_t>(end_ - at_) / least) ok = false, n = 0;
+        if (n > left() / least) ok = false, n = 0;
         return static_cast<std::size_t>(n);
     }
+    std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
     bool at_end() const { return at_ == end_; }
 
 private:

@@ -95,33 +95,44 @@ template <class A, class Element> void visit(A& ar, const std::vector<Element>& 
     for (auto& element : list) visit(ar, element);
 }
 
-// ---- tables: only taken slots, each with its number ------------------------------------------------------------
+// ---- tables: a bit a slot says which are taken, their rows follow ------------------------------------------------
+// So a file asks for memory in proportion to its length, however few of its slots are taken.
 
 inline void write_table(auto& ar, const Slots& slots, auto&& write_row) {
-    ar.count(slots.count());
-    for (std::uint32_t slot = 0; slot < slots.size(); ++slot) {
-        if (!slots.taken(slot)) continue;
-        ar.value(slot);
-        write_row(slot);
+    std::uint32_t end = slots.size(); // of the taken ones; the free ones beyond are no part of the State
+    while (end > 0 && !slots.taken(end - 1)) --end;
+    ar.count(end);
+    for (std::uint32_t first = 0; first < end; first += 8) {
+        std::uint8_t bits = 0;
+        for (std::uint32_t k = 0; k < 8; ++k) bits |= static_cast<std::uint8_t>(slots.taken(first + k) << k);
+        ar.value(bits);
+    }
+    for (std::uint32_t slot = 0; slot < end; ++slot)
+        if (slots.taken(slot)) write_row(slot);
+}
+
+inline constexpr std::size_t kMostSlotsRead = std::size_t{1} << 24;
+
+inline void read_taken(Reader& ar, std::vector<bool>& taken) {
+    std::uint64_t end = 0;
+    ar.value(end);
+    ar.ok = ar.ok && end <= kMostSlotsRead && (end + 7) / 8 <= ar.left();
+    if (!ar.ok) return;
+    taken.resize(end);
+    for (std::size_t first = 0; first < end; first += 8) {
+        std::uint8_t bits = 0;
+        ar.value(bits);
+        for (std::size_t k = 0; k < 8 && first + k < end; ++k) taken[first + k] = (bits >> k) & 1u;
+        if (first + 8 >= end && bits >> (end - first - 1) != 1) ar.ok = false; // the last is taken, and none beyond
     }
 }
 
-inline constexpr std::size_t kLeastRow = 12; // bytes of the smallest row in any table, a piece's, with its number
-
-// Rising slot numbers, none so high that the table would be mostly air: a forged file may not ask for all memory.
 void read_table(Reader& ar, std::vector<bool>& taken, auto&& grow, auto&& read_row) {
-    std::size_t n = ar.count(0, kLeastRow);
-    grow(n); // as a rule there are no gaps
-    for (std::size_t i = 0; i < n && ar.ok; ++i) {
-        std::uint32_t slot = 0;
-        ar.value(slot);
-        if (slot < taken.size() || slot > (1u << 24)) ar.ok = false;
-        if (!ar.ok) return;
-        taken.resize(slot + 1, false);
-        taken[slot] = true;
-        if (slot >= n) grow(slot + 1);
-        read_row(slot);
-    }
+    read_taken(ar, taken);
+    if (!ar.ok) return;
+    grow(taken.size());
+    for (std::uint32_t slot = 0; slot < taken.size() && ar.ok; ++slot)
+        if (taken[slot]) read_row(slot);
 }
 
 inline void write_holes(auto& ar, const Shapes& shapes) { // few shapes have any

@@ -22,7 +22,7 @@ std::unique_ptr<Water> read_water(Reader& ar) {
     visit(ar, kind.liquids);
     kind.count = ar.count(0, kParticleBytes);
     ar.ok = ar.ok && sensible(kind) && !kind.liquids.empty() && kind.liquids.size() <= fluid::kMostLiquids &&
-            kind.count <= fluid::kMostParticles;
+            kind.count <= fluid::kMostParticles && kind.grid.cells() * sizeof(float) <= ar.left();
     if (!ar.ok) return nullptr;
     const fluid::Grid grid = fluid::grid_of(kind.grid.nx, kind.grid.ny, kind.grid.low, kind.grid.h);
     std::unique_ptr<Water> water = fluid::make_water(grid, kind.particle_size);
