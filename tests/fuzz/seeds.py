@@ -25,7 +25,23 @@ def worlds() -> list[evil.World]:
     for world in (pile, tied):
         for _ in range(30):
             world.step()
-    return [empty, pile, tied]
+    return [empty, pile, tied, with_fluids()]
+
+
+def with_fluids() -> evil.World:
+    """Smoke over a basin into which a tap pours, with something that swims."""
+    world = evil.World()
+    world.add(evil.Rectangle(4, 1), at=(0, -0.5), kind="static")
+    world.add(evil.Rectangle(0.4, 0.2), at=(0, 0.6), density=0.4)
+    world.add_smoke((-1, 0, 1, 2), cells=(8, 8)).add_source(evil.Circle(0.2), at=(0, 0.3), rate=2, temperature=1)
+    water = world.add_water((-1, 0, 1, 1), particle_size=0.1)
+    water.add_liquid(density=0.8)
+    water.fill((-1, 0, 1, 0.4))
+    water.pour((0, 0.8), rate=0.2)
+    water.drain((0.6, 0, 1, 0.1))
+    for _ in range(10):
+        world.step()
+    return world
 
 
 def write(folder: Path) -> None:

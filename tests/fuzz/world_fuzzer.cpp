@@ -1,12 +1,14 @@
 // A libFuzzer target over the core's World: the bytes are read as a life of it, or as a snapshot.
 //
-// The first byte decides. A life is a sequence of orders (make, move, destroy, tie, ask, save, step); everything that a
-// caller must keep to is kept to here, as the bindings keep to it. A snapshot is read as a stranger's: whatever the bytes
-// are, it is refused, or the world that comes of it can be stepped. AddressSanitizer and UndefinedBehaviorSanitizer watch,
-// and no step may leave a number that is none.
+// The first byte decides. A life is a sequence of orders (make, move, destroy, tie, fill, pour, ask, save, step);
+// everything that a caller must keep to is kept to here, as the bindings keep to it. A snapshot is read as a stranger's:
+// whatever the bytes are, it is refused, or the world that comes of it can be stepped. AddressSanitizer and
+// UndefinedBehaviorSanitizer watch, and no step may leave a number that is none.
 //
 // python tools/dev.py fuzz [seconds]
+#include "bytes.hpp"
 #include "collider/search.hpp"
+#include "fluid_orders.hpp"
 #include "hash.hpp"
 #include "shapes/polygon.hpp"
 #include "snapshot.hpp"
@@ -17,35 +19,7 @@
 namespace {
 
 using namespace evil;
-
-class Bytes {
-public:
-    Bytes(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
-    bool empty() const { return left_ == 0; }
-    std::uint8_t byte() {
-        if (left_ == 0) return 0;
-        --left_;
-        return *data_++;
-    }
-    // Mostly what a game would say; sometimes the ends of what the door lets through.
-    float number(float most) {
-        const int word = byte() | byte() << 8;
-        if (word == 0) return 0.0f;
-        if (word % 64 == 1) return word & 64 ? most : -most;
-        return (static_cast<float>(word) / 32768.0f - 1.0f) * std::min(most, 20.0f);
-    }
-    float size() {
-        return byte() % 32 == 0 ? (byte() % 2 ? 1e4f : 1e-3f) : 0.05f + static_cast<float>(byte()) / 128.0f;
-    }
-    Vec2 point(float most) {
-        const float x = number(most);
-        return {x, number(most)};
-    }
-
-private:
-    const std::uint8_t* data_;
-    std::size_t left_;
-};
+using fuzz::Bytes;
 
 std::optional<NewShape> shape_of(Bytes& in) {
     NewShape made;
@@ -100,7 +74,7 @@ private:
     }
 
     void order() {
-        switch (in_.byte() % 20) {
+        switch (in_.byte() % 22) {
         case 0:
         case 1:
         case 2:
@@ -154,6 +128,9 @@ private:
             return save();
         case 17:
             return load();
+        case 18:
+        case 19:
+            return fuzz::order_fluids(world_, in_);
         default:
             return step();
         }
@@ -243,6 +220,7 @@ public:
             if (!is_finite(b.pose.p) || !is_finite(b.velocity) || !std::isfinite(b.spin) || !std::isfinite(b.angle))
                 std::abort();
         }
+        fuzz::check_fluids(world);
     }
 };
 

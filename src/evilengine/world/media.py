@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from evilengine import _core
 from evilengine.values.checks import known_keywords, number
-from evilengine.values.errors import ArgumentError, ArgumentTypeError
+from evilengine.values.errors import ArgumentError, ArgumentTypeError, ShapeError
 from evilengine.values.vec2 import Point, Vec2, to_vec2
 from evilengine.world.forces import MEDIUM, Force, Value
 from evilengine.world.shapes import Circle, Polygon, Rectangle, ShapeDefinition
@@ -123,10 +124,11 @@ class Medium(Force):
         kind, *rest = handle.area
         self._body = None if handle.target == _core.NO_SLOT else world._body(handle.target)
         self._at, self._angle, self._area = Vec2(0.0, 0.0), 0.0, None
-        if kind == "circle":
-            self._at, self._area = rest[0], Circle(rest[1])
-        elif len(rest[0]) == 1:
-            self._area = Polygon(rest[0][0])
+        with suppress(ShapeError):  # of a forged snapshot: it acts where it is, and no shape can be told
+            if kind == "circle":
+                self._at, self._area = rest[0], Circle(rest[1])
+            elif len(rest[0]) == 1:
+                self._area = Polygon(rest[0][0])
 
 
 def to_area(area: object, owner: str) -> tuple[ShapeDefinition, Vec2]:
