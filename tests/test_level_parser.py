@@ -161,7 +161,21 @@ def test_statement_words_and_property_words_never_coincide() -> None:
     assert not PROPERTY_WORDS & JOINING_WORDS
 
 
-PICTURED = ("evil", "texture", "frames", "fps", "tile", "normalMap", "glowMap", "tall", "lit")
+PICTURED = (
+    "evil",
+    "texture",
+    "frames",
+    "fps",
+    "showing",
+    "plays",
+    "slice",
+    "font",
+    "tile",
+    "normalMap",
+    "glowMap",
+    "tall",
+    "lit",
+)
 """Words whose examples need a picture beside the level, or stand alone."""
 
 

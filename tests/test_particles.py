@@ -316,7 +316,10 @@ def test_a_save_from_before_there_were_particles_is_read() -> None:
         ({"colour": ["red", "bluue"]}, "did you mean 'blue'"),
         ({"area": (1, -1)}, "area=-1"),
         ({"at": (1e30, 0)}, "at=1e+30"),
-        ({"blend": "sub"}, "must be one of 'over', 'add'"),
+        ({"blend": "sub"}, "must be one of 'normal', 'add', 'multiply', 'screen'"),
+        ({"blend": "over"}, "must be one of 'normal', 'add', 'multiply', 'screen'"),
+        ({"burst": -1}, "burst=-1 must be"),
+        ({"running": 1}, "running=1 must be True or False"),
         ({"collide": 1}, "collide=1 must be True or False"),
         ({"most": 2.5}, "most=2.5 must be a whole number"),
         ({"body": 3}, "must be a Body"),
@@ -332,7 +335,7 @@ def test_what_makes_no_sense_is_refused_and_makes_nothing(options: dict[str, Any
     assert game.scene.emitters == ()
     emitter = game.add_particles()
     name, value = next(iter(options.items()))
-    if name not in ("body", "rat"):
+    if name not in ("body", "rat", "burst"):
         before = getattr(emitter, name)
         with pytest.raises(evil.Error):
             setattr(emitter, name, value)

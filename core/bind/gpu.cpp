@@ -66,7 +66,7 @@ nb::tuple to_tuple(const draw::Interlude& interlude, const draw::Interludes& all
         break;
     }
     const bool disc = interlude.form == draw::SpeckForm::disc;
-    return nb::make_tuple("specks", interlude.first, interlude.count, disc, interlude.adds);
+    return nb::make_tuple("specks", interlude.first, interlude.count, disc, static_cast<int>(interlude.blend));
 }
 
 // What the shader needs of the post pass besides the table.
@@ -190,7 +190,7 @@ void register_gpu(nb::module_& module) {
              "A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus "
              "twice the number of their draw::Blend plus 8 if any has normals or glows. "
              "Or ('sprites', first, count, page of the atlas, COVER, is one lit, blend). "
-             "Between them ('specks', first, count, are they discs, do they add), ('blur', levels, share), "
+             "Between them ('specks', first, count, are they discs, their blend), ('blur', levels, share), "
              "('shafts', from, taps of each pass, colour, threshold), ('liquid', size, planes, place, texels used, one "
              "over the rim's width, is it lit), ('post',).")
         .def_prop_ro(

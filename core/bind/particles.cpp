@@ -35,10 +35,16 @@ void define(Emitter& emitter, std::optional<std::tuple<std::uint32_t, std::uint3
 using Knots = std::array<float, particles::kKnots>;
 
 void show(Emitter& emitter, const Knots& size, const Knots& pace,
-          const std::array<draw::Rgba8, particles::kKnots>& colour, bool soft, bool adds, bool lit, float stretch,
-          std::uint32_t texture, std::int32_t layer) {
+          const std::array<draw::Rgba8, particles::kKnots>& colour, bool soft, std::uint32_t blend, bool lit,
+          float stretch, std::uint32_t texture, std::int32_t layer) {
+    if (blend >= draw::kBlends) raise(ErrorKind::argument, "Emitter.show: no such blend");
     emitter.curves = {size, pace, colour};
-    emitter.look = {soft ? draw::SpeckForm::soft : draw::SpeckForm::disc, adds, lit, stretch, texture, layer};
+    emitter.look = {soft ? draw::SpeckForm::soft : draw::SpeckForm::disc,
+                    static_cast<draw::Blend>(blend),
+                    lit,
+                    stretch,
+                    texture,
+                    layer};
 }
 
 void collect(const Emitter& emitter, SceneBox& box, const Matrix6& view, double alpha, float dt, Pair screen) {
@@ -79,7 +85,7 @@ void register_particles(nb::module_& module) {
              nb::arg("collides"), nb::arg("dies"), nb::arg("bounce"), nb::arg("friction"), nb::arg("mask"),
              nb::arg("most"))
         .def("show", &show, nb::kw_only(), nb::arg("size"), nb::arg("pace"), nb::arg("colour"), nb::arg("soft"),
-             nb::arg("adds"), nb::arg("lit"), nb::arg("stretch"), nb::arg("texture"), nb::arg("layer"))
+             nb::arg("blend"), nb::arg("lit"), nb::arg("stretch"), nb::arg("texture"), nb::arg("layer"))
         .def_rw("running", &Emitter::running)
         .def_prop_ro("count", [](const Emitter& emitter) { return emitter.state.count; })
         .def("clear", [](Emitter& emitter) { emitter.state.count = 0; })

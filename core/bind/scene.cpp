@@ -256,10 +256,12 @@ void register_scene(nb::module_& module) {
         .def(
             "add_sliced",
             [](SceneBox& box, float width, float height, const std::array<float, 4>& border,
-               const std::array<float, 4>& part, MaybeReference body) {
-                return add_drawing(box, sliced_mesh(box, width, height, border, part), to_body(body));
+               const std::array<float, 4>& part, MaybeReference body, MaybeReference shape) {
+                const ShapeRef on = shape ? ShapeRef{std::get<0>(*shape), std::get<1>(*shape)} : ShapeRef{};
+                return add_drawing(box, sliced_mesh(box, width, height, border, part), to_body(body), on);
             },
             nb::arg("width"), nb::arg("height"), nb::arg("border"), nb::arg("part"), nb::arg("body") = nb::none(),
+            nb::arg("shape") = nb::none(),
             "A rectangle whose picture keeps its four borders: left, low, right, high, in metres and as parts of it.")
         .def(
             "extent",

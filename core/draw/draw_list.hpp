@@ -1,6 +1,7 @@
 #pragma once
 // What the scene hands to a renderer: geometry that is shared, and one instance for each thing to draw, back to front.
 // A renderer reads this and nothing else of the engine.
+#include "draw/blend.hpp"
 #include "draw/interludes.hpp"
 #include "light/light_map.hpp"
 #include "math/transform.hpp"
@@ -33,15 +34,6 @@ struct Mesh {
 };
 
 inline constexpr std::uint32_t kNoTexture = 0;
-
-// How a colour meets what is behind it; s and d multiplied with alpha, channel by channel.
-enum class Blend : std::uint8_t {
-    over,     // s + d (1 - alpha of s)
-    add,      // s + d: light
-    multiply, // s d + d (1 - alpha of s): shade, coloured glass
-    screen,   // s + d (1 - s): light that never burns out
-};
-inline constexpr int kBlends = 4;
 
 inline constexpr float kMostGlow = 64.0f;
 

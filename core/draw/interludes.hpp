@@ -1,5 +1,6 @@
 #pragma once
 // What happens between the instances of a frame: specks, and what is done to all that has been drawn so far.
+#include "draw/blend.hpp"
 #include "draw/liquid_map.hpp"
 #include "draw/post.hpp"
 #include "draw/specks.hpp"
@@ -21,9 +22,9 @@ struct Interlude {
     InterludeKind kind = InterludeKind::specks;
     std::uint32_t first = 0, count = 0; // rows of specks; or which shafts, or liquid
     SpeckForm form = SpeckForm::soft;
-    bool adds = false;   // the specks add light to what is behind, rather than covering it
-    bool lit = false;    // the specks are in the light
-    float radius = 0.0f; // of a blur, in pixels
+    Blend blend = Blend::over; // how the specks meet what is behind
+    bool lit = false;          // the specks are in the light
+    float radius = 0.0f;       // of a blur, in pixels
 };
 
 struct Interludes {

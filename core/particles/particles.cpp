@@ -193,8 +193,14 @@ draw::Instance picture_of(Vec2 at, Rot turn, const Affine& view, float half, dra
                           std::uint32_t square) {
     const Vec2 x = half * apply_linear(view, {turn.c, turn.s}), y = half * apply_linear(view, {turn.s, -turn.c});
     const Vec2 corner = at - x - y;
-    return {{2 * x.x, 2 * x.y, 2 * y.x, 2 * y.y, corner.x, corner.y}, {},      square, look.texture, colour, 0.0f,
-            look.adds ? draw::Blend::add : draw::Blend::over,         look.lit};
+    return {{2 * x.x, 2 * x.y, 2 * y.x, 2 * y.y, corner.x, corner.y},
+            {},
+            square,
+            look.texture,
+            colour,
+            0.0f,
+            look.blend,
+            look.lit};
 }
 
 struct Seen { // a particle on the screen
@@ -271,7 +277,7 @@ void collect(const Emitter& emitter, const Affine& view, float alpha, float dt, 
     draw::Interlude run;
     run.before = draw::end_of_layer(out, emitter.look.layer);
     run.first = static_cast<std::uint32_t>(specks.size());
-    run.form = emitter.look.form, run.adds = emitter.look.adds, run.lit = emitter.look.lit;
+    run.form = emitter.look.form, run.blend = emitter.look.blend, run.lit = emitter.look.lit;
     each_seen(emitter, view, back, scale, screen, tint, [&](const Seen& p) {
         const Vec2 along = stretch > 0.0f ? stretch * apply_linear(view, p.velocity) : Vec2{};
         specks.push_back(speck_of(p.at, along, scale * p.half, p.colour));

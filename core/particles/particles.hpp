@@ -48,7 +48,7 @@ struct Definition {
 
 struct Look {
     draw::SpeckForm form = draw::SpeckForm::soft;
-    bool adds = false;    // light is added to what is behind, rather than covering it
+    draw::Blend blend = draw::Blend::over;
     bool lit = false;     // they take the light of where they are
     float stretch = 0.0f; // seconds of its way that a particle is long; 0: as long as wide
     std::uint32_t texture = draw::kNoTexture;

@@ -219,39 +219,53 @@ void blend_row_masked_wide(Pixel* to, const Pixel* from, const std::int32_t* mas
     }
 }
 
-void add_row_wide(Pixel* to, const Pixel* from, const std::int32_t* mask, int count) noexcept {
-    auto sum = [](Ints a, Ints b) { // in both halves, at most 255
-        Ints both = a + b, beyond = shift_right_unsigned(both, 8) & 0x00010001;
-        return (both | ((beyond << 8) - beyond)) & kPair;
-    };
-    for (int i = 0; i < count; i += 8) {
-        Channels source = multiply_255(split(load_some(from + i, count - i)), load(mask + i));
-        Channels under = split(load_some(to + i, count - i));
-        store_some(to + i, count - i, join({sum(source.rb, under.rb), sum(source.ga & 0xff, under.ga)}));
+// Sums may pass 255: they stop there. The alpha of what is under stays.
+static EVIL_INLINE Ints added(Channels source, Ints destination) {
+    const Channels under = split(destination);
+    Ints sums[2] = {source.rb + under.rb, (source.ga & 0xff) + under.ga};
+    for (Ints& sum : sums) {
+        const Ints past = shift_right_unsigned(sum, 8) & 0x00010001;
+        sum = (sum | ((past << 8) - past)) & kPair;
     }
+    return join({sums[0], sums[1]});
+}
+
+static EVIL_INLINE Ints multiplied(Channels source, Ints under) {
+    const Ints by = join(source), left = Ints(255) - shift_right_unsigned(by, 24);
+    Ints result(0);
+    for (int shift = 0; shift < 32; shift += 8)
+        result = result | (product(under, shift, shift_right_unsigned(by, shift) & 255) + product(under, shift, left));
+    return result;
+}
+
+static EVIL_INLINE Ints screened(Channels source, Ints under) {
+    const Ints by = join(source);
+    Ints result(0);
+    for (int shift = 0; shift < 32; shift += 8) {
+        const Ints channel = shift_right_unsigned(by, shift) & 255;
+        result = result | ((channel << shift) + product(under, shift, Ints(255) - channel));
+    }
+    return result;
+}
+
+template <class Meet>
+static EVIL_INLINE void meet_row(Pixel* to, const Pixel* from, const std::int32_t* mask, int count, Meet meet) {
+    for (int i = 0; i < count; i += 8) {
+        const Channels source = multiply_255(split(load_some(from + i, count - i)), load(mask + i));
+        store_some(to + i, count - i, meet(source, load_some(to + i, count - i)));
+    }
+}
+
+void add_row_wide(Pixel* to, const Pixel* from, const std::int32_t* mask, int count) noexcept {
+    meet_row(to, from, mask, count, [](Channels source, Ints under) { return added(source, under); });
 }
 
 void multiply_row_wide(Pixel* to, const Pixel* from, const std::int32_t* mask, int count) noexcept {
-    for (int i = 0; i < count; i += 8) {
-        Ints source = join(multiply_255(split(load_some(from + i, count - i)), load(mask + i)));
-        Ints under = load_some(to + i, count - i), left = Ints(255) - shift_right_unsigned(source, 24), result(0);
-        for (int shift = 0; shift < 32; shift += 8)
-            result = result |
-                     (product(under, shift, shift_right_unsigned(source, shift) & 255) + product(under, shift, left));
-        store_some(to + i, count - i, result);
-    }
+    meet_row(to, from, mask, count, [](Channels source, Ints under) { return multiplied(source, under); });
 }
 
 void screen_row_wide(Pixel* to, const Pixel* from, const std::int32_t* mask, int count) noexcept {
-    for (int i = 0; i < count; i += 8) {
-        Ints source = join(multiply_255(split(load_some(from + i, count - i)), load(mask + i)));
-        Ints under = load_some(to + i, count - i), result(0);
-        for (int shift = 0; shift < 32; shift += 8) {
-            Ints channel = shift_right_unsigned(source, shift) & 255;
-            result = result | ((channel << shift) + product(under, shift, Ints(255) - channel));
-        }
-        store_some(to + i, count - i, result);
-    }
+    meet_row(to, from, mask, count, [](Channels source, Ints under) { return screened(source, under); });
 }
 
 std::int32_t integrate_wide(std::int32_t* cells, int count, std::int32_t sum, std::int32_t* mask) noexcept {
@@ -330,20 +344,9 @@ static EVIL_INLINE Ints cover_of_speck(Floats u, Floats v, const raster::SpeckPa
     return round_to_int(clamp(depth + 0.5f, 0.0f, 1.0f) * 255.0f);
 }
 
-// What adds light has no alpha, so that sums may pass 255: they stop there.
-static EVIL_INLINE Ints added(Channels source, Ints destination) {
-    const Channels under = split(destination);
-    Ints sums[2] = {source.rb + under.rb, source.ga + under.ga};
-    for (Ints& sum : sums) {
-        const Ints past = shift_right_unsigned(sum, 8) & 0x00010001;
-        sum = (sum | ((past << 8) - past)) & kPair;
-    }
-    return join({sums[0], sums[1]});
-}
-
-void speck_wide(const raster::Target& target, const raster::SpeckPaint& paint) noexcept {
+template <class Meet>
+static EVIL_INLINE void draw_speck(const raster::Target& target, const raster::SpeckPaint& paint, Meet meet) {
     const Channels source = split(Ints(static_cast<std::int32_t>(paint.colour)));
-    const bool adds = (paint.colour >> 24) == 0;
     const Floats lanes = to_float(lane_numbers());
     const int count = paint.box.right - paint.box.left;
     for (int y = paint.box.top; y < paint.box.bottom; ++y) {
@@ -355,8 +358,21 @@ void speck_wide(const raster::Target& target, const raster::SpeckPaint& paint) n
                                               across * paint.v_x + (paint.v + down * paint.v_y), paint);
             const Ints under = load_some(row + i, count - i);
             const Channels share = multiply_255(source, cover);
-            store_some(row + i, count - i, adds ? added(share, under) : over(share, under));
+            store_some(row + i, count - i, meet(share, under));
         }
+    }
+}
+
+void speck_wide(const raster::Target& target, const raster::SpeckPaint& paint) noexcept {
+    switch (paint.blend) {
+    case draw::Blend::over:
+        return draw_speck(target, paint, [](Channels source, Ints under) { return over(source, under); });
+    case draw::Blend::add:
+        return draw_speck(target, paint, [](Channels source, Ints under) { return added(source, under); });
+    case draw::Blend::multiply:
+        return draw_speck(target, paint, [](Channels source, Ints under) { return multiplied(source, under); });
+    case draw::Blend::screen:
+        return draw_speck(target, paint, [](Channels source, Ints under) { return screened(source, under); });
     }
 }
 

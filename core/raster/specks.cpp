@@ -35,11 +35,11 @@ bool place(SpeckPaint& paint, const draw::Speck& speck, bool disc, const Target&
 
 void draw_specks(std::span<const draw::Speck> specks, const draw::Interlude& run, const Target& target, Set set) {
     SpeckPaint paint{};
+    paint.blend = run.blend;
     for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
         const draw::Speck& speck = specks[i];
         if (!place(paint, speck, run.form == draw::SpeckForm::disc, target)) continue;
         paint.colour = premultiply(speck.colour);
-        if (run.adds) paint.colour &= 0x00ffffffu;
         EVIL_PICK(set, speck_wide)(target, paint);
     }
 }

@@ -12,7 +12,8 @@ struct SpeckPaint { // one of them, cut to the target; u and v are 1 on its rim
     float u_x, v_x, u_y, v_y; // from a pixel to the next, right and down
     float along, across;      // one over the half axes, in pixels
     bool disc = false;
-    Pixel colour = 0; // multiplied with alpha; what adds has an alpha of 0
+    draw::Blend blend = draw::Blend::over;
+    Pixel colour = 0; // multiplied with alpha
 };
 
 void draw_specks(std::span<const draw::Speck> specks, const draw::Interlude& run, const Target& target, Set set);

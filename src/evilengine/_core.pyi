@@ -1775,7 +1775,7 @@ class Batcher:
 
     def collect(self, list: DrawList, width: int, height: int) -> list[tuple[Any, ...]]:
         """
-        A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus twice the number of their draw::Blend plus 8 if any has normals or glows. Or ('sprites', first, count, page of the atlas, COVER, is one lit, blend). Between them ('specks', first, count, are they discs, do they add), ('blur', levels, share), ('shafts', from, taps of each pass, colour, threshold), ('liquid', size, planes, place, texels used, one over the rim's width, is it lit), ('post',).
+        A frame as draw calls: the first quad, how many, their pictures by unit, and 1 if any has facets plus twice the number of their draw::Blend plus 8 if any has normals or glows. Or ('sprites', first, count, page of the atlas, COVER, is one lit, blend). Between them ('specks', first, count, are they discs, their blend), ('blur', levels, share), ('shafts', from, taps of each pass, colour, threshold), ('liquid', size, planes, place, texels used, one over the rim's width, is it lit), ('post',).
         """
 
     @property
@@ -1923,7 +1923,7 @@ class Scene:
 
     def alive(self, slot: int, generation: int) -> bool: ...
 
-    def add_sliced(self, width: float, height: float, border: Sequence[float], part: Sequence[float], body: tuple[int, int] | None = None) -> tuple[int, int]:
+    def add_sliced(self, width: float, height: float, border: Sequence[float], part: Sequence[float], body: tuple[int, int] | None = None, shape: tuple[int, int] | None = None) -> tuple[int, int]:
         """
         A rectangle whose picture keeps its four borders: left, low, right, high, in metres and as parts of it.
         """
@@ -2008,7 +2008,7 @@ class Emitter:
 
     def define(self, *, body: tuple[int, int] | None, at: tuple[float, float], direction: float, cone: float, rate: float, half: tuple[float, float], radius: float, life: tuple[float, float], speed: tuple[float, float], spin: tuple[float, float], varies: float, gravity_scale: float, drag: float, wind: tuple[float, float], collides: bool, dies: bool, bounce: float, friction: float, mask: int, most: int) -> None: ...
 
-    def show(self, *, size: Sequence[float], pace: Sequence[float], colour: Sequence[int], soft: bool, adds: bool, lit: bool, stretch: float, texture: int, layer: int) -> None: ...
+    def show(self, *, size: Sequence[float], pace: Sequence[float], colour: Sequence[int], soft: bool, blend: int, lit: bool, stretch: float, texture: int, layer: int) -> None: ...
 
     @property
     def running(self) -> bool: ...

@@ -112,6 +112,7 @@ class Game(Life, GameScreen, Controls, Things):
             self.world,
             textures=self._pictures.texture,
             surfaces=self._pictures.surface,
+            sizes=self._pictures.size,
             images=self._pictures.slide,
             fonts=self._pictures.font,
             renderer=self.renderer,

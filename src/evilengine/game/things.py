@@ -27,7 +27,6 @@ from evilengine.scene.camera import POINTS_A_METRE
 from evilengine.scene.drawing import DEEPEST_LAYER
 from evilengine.scene.gases import LOOKS as SMOKE_LOOKS
 from evilengine.scene.particles import add_particles
-from evilengine.scene.sliced import sliced
 from evilengine.scene.waters import LOOKS as WATER_LOOKS
 from evilengine.values.checks import did_you_mean, known_keywords, number, refuse_unknown
 from evilengine.values.colour import Colour, ColourLike
@@ -121,22 +120,20 @@ class Things:
         Takes what `draw` takes; with `body=` it is drawn on that body, moves with it and stays out of the physics.
         """
         owner = "Game.sprite"
-        across, down = points = self._pictures.size(image.grid if isinstance(image, Sheet) else image)
         if size is None:
             if slice is not None:
                 raise ArgumentError(f"{owner}: slice={slice!r} needs a size=(width, height) to fill")
+            across, down = self.scene.size_of(image, owner)
             high = down / POINTS_A_METRE if height is None else number(height, owner, "height", above=0.0)
             return self.scene.add(Rectangle(high * across / down, high), texture=image, **options)
         if height is not None:
             raise ArgumentError(f"{owner}: height={height!r} and size={size!r} contradict each other; give one")
         wide, high = to_vec2(size, owner, "size")
-        if slice is None:
-            return self.scene.add(Rectangle(wide, high), texture=image, **options)
-        shape = sliced(wide, high, slice, points, POINTS_A_METRE, owner)
-        return self.scene.add(shape, texture=image, **options)
+        return self.scene.add(Rectangle(wide, high), texture=image, slice=slice, **options)
 
     def add_particles(self, *, body: Any = None, **settings: Any) -> Emitter:
-        """Add a particle effect: sparks, smoke, rain. Takes what an Emitter can be told, and the `body` it follows.
+        """Add a particle effect: sparks, smoke, rain. Takes what an Emitter can be told, and the `body` it follows;
+        `burst` lets go of so many at once, and with `once=True` it goes away with the last of them.
 
         It takes its chances from `game.random`, so that a game that is played again shows the same.
 

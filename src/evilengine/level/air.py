@@ -28,14 +28,17 @@ def carry_out(level: Level, command: commands.Picture, scope: Scope, game: Game)
             layer = game.layers[int(level._number(number, scope))]
             if "fog_above" in options:
                 options["fog"] = [options.get("fog", options["fog_above"]), options.pop("fog_above")]
+            if "hidden" in options:
+                options["visible"] = not options.pop("hidden")
             for name, value in options.items():
                 *way, last = name.split(".")
                 setattr(reduce(getattr, way, layer), last, value)
         case commands.SetLens():
-            if options.pop("filmic", False):
-                options["tone_mapping"] = "filmic"
-            if options.pop("perspective", False):
-                game.layers.perspective = True
+            if "filmic" in options:
+                options["tone_mapping"] = "filmic" if options.pop("filmic") else "plain"
+            for name in ("perspective", "distance"):
+                if name in options:
+                    setattr(game.layers, name, options.pop(name))
             for name, value in options.items():
                 setattr(game.post, name, value)
         case commands.SetCamera():
@@ -44,4 +47,6 @@ def carry_out(level: Level, command: commands.Picture, scope: Scope, game: Game)
             if level._has_room(command) and options.get("body", True) is not None:
                 if "texture" in options:
                     options["texture"] = level._beside(options["texture"])
+                if "burst" in options:
+                    options["burst"] = int(options["burst"])
                 level._made_thing(game.add_particles(**emitter_options(options)), name, scope)

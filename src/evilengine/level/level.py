@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from evilengine import script
 from evilengine.level import air, characters, fluids
-from evilengine.level.looks import LOOKS, drawn, move_camera
+from evilengine.level.looks import LOOKS, drawn, move_camera, written
 from evilengine.level.making import Values
 from evilengine.level.rules import Answers, Consequence, Made, Rounds, Scope
 from evilengine.script.arithmetic import ArithmeticProblem
@@ -327,7 +327,8 @@ class Level(Values):
 
     def _add_text(self, command: commands.AddText, scope: Scope, game: Game) -> None:
         words = self._words(command.pieces, scope)
-        text = game.text(words, **{each.name: self._value(each.value, scope) for each in command.options})
+        options = {each.name: self._value(each.value, scope) for each in command.options}
+        text = game.text(words, **written(options, self._beside))
         self._made_thing(text, command.name, scope)
         if any(not isinstance(piece, str) for piece in command.pieces):
             self._texts.append((text, command, scope))
@@ -350,8 +351,13 @@ class Level(Values):
         if command.property == "tag":
             self._tags.change(thing, value)
             return
-        if command.property == "texture":
+        if command.property in ("texture", "font"):
             value = self._beside(value)
+        if command.property in ("frame", "burst"):
+            value = int(value)
+        if command.property == "burst":
+            thing.burst(value)
+            return
         attribute = command.property
         if attribute in OPPOSITES:
             attribute, value = OPPOSITES[attribute], not value

@@ -29,8 +29,9 @@ def carry_out(level: Level, command: Command, scope: Scope, game: Game) -> None:
         return
     if "direction" in options:
         options["direction"] = Vec2(1.0, 0.0).turned(options["direction"])
-    if "shadows" in options:
-        options["shadows"] = False
+    for name in ("shadows", "on"):
+        if name in options:
+            options[name] = False
     if "texture" in options:
         options["texture"] = level._beside(options["texture"])
     if not options.keys() & {"at", "direction", "body"}:

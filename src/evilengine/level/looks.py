@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from evilengine.values import level as commands
-from evilengine.values.sheet import ALL_FRAMES, Sheet
+from evilengine.values.sheet import ALL_FRAMES, Animation, Sheet
 from evilengine.world.body import Body
 
 if TYPE_CHECKING:
@@ -19,9 +19,9 @@ MAPS = frozenset({"normal_map", "glow_map"})
 """Pictures of a surface, beside that of its colours."""
 
 LOOKS = (
-    frozenset({"colour", "texture", "frames", "fps", "tile", "layer", "lit", "behind", "depth", "hidden"})
+    frozenset({"colour", "colours", "texture", "frames", "fps", "frame", "course", "tile", "slice", "flip_x", "flip_y"})
+    | {"blend", "outline", "layer", "lit", "behind", "depth", "hidden", "glow"}
     | MAPS
-    | {"glow"}
 )
 """What a world alone has no use for."""
 
@@ -29,20 +29,28 @@ LOOKS = (
 def drawn(values: dict[str, Any], beside: Callable[[str], str]) -> dict[str, Any]:
     """Options as a game takes them: what is visible rather than hidden, a sheet where a picture has frames, and files
     by the names that `beside` gives them."""
-    hidden, frames, fps = (values.pop(name, None) for name in ("hidden", "frames", "fps"))
-    if hidden:
+    frames, frame = values.pop("frames", None), values.pop("frame", None)
+    speed, course = ({name: values.pop(name)} if name in values else {} for name in ("fps", "course"))
+    if values.pop("hidden", False):
         values["visible"] = False
     for name in ("texture", *sorted(MAPS)):
         if name in values:
             values[name] = beside(values[name])
     if frames is not None:
         columns, rows = (int(each) for each in frames)
-        speed = {} if fps is None else {"fps": fps}
-        every = {ALL_FRAMES: range(columns * rows)}
-        values |= {
-            "texture": Sheet(values["texture"], columns, rows, animations=every, **speed),
-            "animation": ALL_FRAMES,
-        }
+        shown = range(columns * rows) if frame is None else [int(frame)]
+        every = {ALL_FRAMES: Animation(shown, **course)}
+        sheet = Sheet(values["texture"], columns, rows, animations=every, **speed)
+        values |= {"texture": sheet, "animation": ALL_FRAMES}
+    return values
+
+
+def written(values: dict[str, Any], beside: Callable[[str], str]) -> dict[str, Any]:
+    """Options of a text as a game takes them."""
+    if values.pop("hidden", False):
+        values["visible"] = False
+    if "font" in values:
+        values["font"] = beside(values["font"])
     return values
 
 
@@ -65,7 +73,7 @@ def move_camera(
 
 def set_camera(camera: Camera, told: dict[str, Any]) -> None:
     """What `camera` says, by the names of its properties' options."""
-    following = {name: told.pop(name) for name in ("dead_zone", "smoothing") if name in told}
+    following = {name: told.pop(name) for name in ("dead_zone", "smoothing", "offset") if name in told}
     target = told.pop("target", None)
     if isinstance(target, Body):  # else it is gone, or nobody was named
         camera.follow(target, **following)

@@ -9,7 +9,7 @@ from typing import Any
 from evilengine.level.rules import Gone, Scope, Thing
 from evilengine.script.arithmetic import evaluate
 from evilengine.values import level as commands
-from evilengine.values.level import Area, Called, Colours, Corners, Holes, Make, Number, Pair
+from evilengine.values.level import Area, Called, Colours, Corners, Holes, Make, Number, Numbers, Pair
 from evilengine.world import joints
 from evilengine.world.forces import ConstantForce, Drag, Spring
 from evilengine.world.media import Medium
@@ -38,6 +38,8 @@ class Values:
         match value:
             case Pair():
                 return self._pair(value, scope)
+            case Numbers(parts=parts):
+                return tuple(self._number(each, scope) for each in parts)
             case Called():
                 return self._thing(value, scope)
             case Area():

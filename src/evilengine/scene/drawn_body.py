@@ -29,7 +29,7 @@ LOOKS = frozenset(
             "glow_map",
             "layer",
         ),
-        *("lit", "normal_map", "outline", "texture", "texture_matrix", "texture_points", "tile", "visible"),
+        *("lit", "normal_map", "outline", "slice", "texture", "texture_matrix", "texture_points", "tile", "visible"),
     )
 )
 """The words of `scene.add` that say how a thing looks; its others say where it is."""

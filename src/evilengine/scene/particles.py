@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 from evilengine import _core
+from evilengine.scene.animated import BLENDS
 from evilengine.scene.camera import FARTHEST, Matrix6
 from evilengine.scene.drawing import to_layer
 from evilengine.values.checks import known_keywords, number, one_of, refuse_unknown
@@ -25,7 +26,6 @@ MOST = 1 << 20
 """Particles that one emitter may have alive (kMost in core/particles/particles.hpp)."""
 
 FASTEST, LONGEST, LARGEST = 1e4, 1e4, 1e4  # m/s, seconds, metres: beyond lies a slip in units
-BLENDS = ("over", "add")
 
 
 class Setting(Generic[T]):
@@ -190,10 +190,13 @@ class Emitter:
     most = Setting(_whole("most", 1, MOST), 10_000, "How many may be alive; who comes later is not born.")
     soft = Setting(_switch("soft"), True, "Do they fade towards their rim? Otherwise they are discs.")
     lit = Setting(_switch("lit"), False, "Do they take the light of where they are?")
-    blend = Setting(_blend, "over", "'over' covers what is behind; 'add' adds light to it, for fire and glow.")
+    blend = Setting(
+        _blend, "normal", "How they meet what is behind, as with drawings: 'normal', 'add', 'multiply', 'screen'."
+    )
     stretch = Setting(
         _number("stretch", least=0.0, most=10.0), 0.0, "Seconds of its way that each is drawn long, as sparks and rain."
     )
+    once = Setting(_switch("once"), False, "Is it destroyed with the last of its particles? For a single burst.")
     texture = Setting(_image, None, "The name of an image to draw in place of round specks, or None.")
     layer = Setting(lambda value, owner: to_layer(value, owner), 0, "They lie over the drawings of this layer.")
 
@@ -201,7 +204,7 @@ class Emitter:
 
     def __init__(self, scene: Scene, serial: int, seed: int, body: Body | None, options: dict[str, Any]) -> None:
         owner = "Game.add_particles"
-        refuse_unknown(owner, [*SETTINGS, "body"], options)
+        refuse_unknown(owner, [*SETTINGS, "body", "burst", "running"], options)
         if body is not None:
             _refuse_body(scene, body, owner)
         checked = {name: each.check(options.get(name, each.default), owner) for name, each in SETTINGS.items()}
@@ -276,7 +279,8 @@ class Emitter:
 
     def _step(self) -> None:
         self._core.step(self._scene.world._core, STEP)
-        if self._body is not None and not self._body.alive and not self._core.count:
+        left_alone = self.once or (self._body is not None and not self._body.alive)
+        if left_alone and not self._core.count:
             self.destroy()
 
     def _collect(self, view: Matrix6, alpha: float, screen: tuple[int, int]) -> None:
@@ -303,7 +307,7 @@ class Emitter:
         )  # fmt: skip
         self._core.show(
             size=_sampled(v["size"]), pace=_sampled(v["pace"]), colour=_sampled_colours(v["colour"]),
-            soft=v["soft"], adds=v["blend"] == "add", lit=v["lit"], stretch=v["stretch"], texture=texture,
+            soft=v["soft"], blend=BLENDS.index(v["blend"]), lit=v["lit"], stretch=v["stretch"], texture=texture,
             layer=v["layer"],
         )  # fmt: skip
         self._values = v
@@ -388,7 +392,9 @@ class EmittersState:
         for row, options, data in self._rows:
             emitter = known.pop(row["serial"], None) or Emitter(scene, row["serial"], 0, None, {})
             emitter._body = None if row["body"] in (None, _core.NO_SLOT) else body_of(row["body"])
-            emitter._set({name: each.check(options[name], "Emitter") for name, each in SETTINGS.items()})
+            emitter._set(
+                {name: each.check(options.get(name, each.default), "Emitter") for name, each in SETTINGS.items()}
+            )
             emitter._core.restore(data)
             emitter._core.running = bool(row["running"]) and row["body"] != _core.NO_SLOT
             scene._emitters.append(emitter)
@@ -401,8 +407,13 @@ def _of_plain(name: str, value: Any) -> Any:
 
 
 def add_particles(scene: Scene, seed: int, body: Body | None, options: dict[str, Any]) -> Emitter:
-    """One more emitter of the scene."""
+    """One more emitter of the scene, which lets go of `burst` particles at once."""
+    owner = "Game.add_particles"
+    running = _switch("running")(options.pop("running", True), owner)
+    burst = _whole("burst", 0, MOST)(options.pop("burst", 0), owner)
     emitter = Emitter(scene, scene._emitters_made, seed, body, options)
     scene._emitters_made += 1
     scene._emitters.append(emitter)
+    emitter._core.running = running
+    emitter.burst(burst)
     return emitter

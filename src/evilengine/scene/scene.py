@@ -18,8 +18,8 @@ from evilengine.scene.layers import Layer, Layers, seen_middle
 from evilengine.scene.lights import Lights, Loads
 from evilengine.scene.particles import Emitter
 from evilengine.scene.post import Post
-from evilengine.scene.shown import Shown, Surfaces, Textures
-from evilengine.scene.sliced import Sliced, tile_size
+from evilengine.scene.shown import Shown, Sizes, Surfaces, Textures
+from evilengine.scene.sliced import Sliced, on_shape, sliced, tile_size
 from evilengine.scene.surface import to_glow
 from evilengine.scene.text import Fonts, Text
 from evilengine.scene.waters import WaterLook, WaterLooks
@@ -61,6 +61,7 @@ class Scene(Shown):
         *,
         textures: Textures | None = None,
         surfaces: Surfaces | None = None,
+        sizes: Sizes | None = None,
         images: Loads | None = None,
         fonts: Fonts | None = None,
         background: ColourLike = BACKGROUND,
@@ -81,7 +82,7 @@ class Scene(Shown):
         """How layers are seen that are not seen as the world is: farther off, in fog, out of focus."""
         self.post = Post()
         """What is done to the whole picture before text goes over it."""
-        super().__init__(world, textures, surfaces)
+        super().__init__(world, textures, surfaces, sizes)
         self._fonts = fonts
         self._emitters: list[Emitter] = []
         self._emitters_made = 0
@@ -131,6 +132,7 @@ class Scene(Shown):
         texture_points: Sequence[Point] | None = None,
         texture_matrix: Iterable[float] | None = None,
         tile: float | Point | None = None,
+        slice: float | tuple[float, float, float, float] | None = None,
         flip_x: bool = False,
         flip_y: bool = False,
         blend: str = "normal",
@@ -149,12 +151,13 @@ class Scene(Shown):
         `at` and `angle`, or a 4x4 `matrix`, place it there. `colour` tints all of it, and `colours` each of
         `shape.corners`. The image `texture` spreads over the shape's bounding box unless `texture_points` says which
         point of it (0..1 from its top left) lies on each corner; `texture_matrix` moves those points, and `tile` lays
-        it again and again, each so many metres wide and high. Of a Sheet, `animation` is shown, else its first frame;
-        `flip_x` and `flip_y` mirror it. `blend` is "normal", "add" (shines), "multiply" (shades) or "screen". `outline`
-        is a thin darker line round it. What is given neither colour nor texture takes a colour of the palette and, if
-        it can move, an outline. On what is `lit`, `normal_map` shows bumps; `glow_map` and `glow` say what shines by
-        itself (see Drawing). Higher layers lie over lower ones; within one, what was made later is on top. In
-        perspective it is `behind` the plane of its layer, in metres, and reaches so many back (`depth`).
+        it again and again, each so many metres wide and high. On a rectangle `slice` keeps the borders of the picture
+        as wide as they are: so many points of it, or left, top, right, bottom. Of a Sheet, `animation` is shown, else
+        its first frame; `flip_x` and `flip_y` mirror it. `blend` is "normal", "add" (shines), "multiply" (shades) or
+        "screen". `outline` is a thin darker line round it. What is given neither colour nor texture takes a colour of
+        the palette and, if it can move, an outline. On what is `lit`, `normal_map` shows bumps; `glow_map` and `glow`
+        say what shines by itself (see Drawing). Higher layers lie over lower ones; within one, what was made later is
+        on top. In perspective it is `behind` the plane of its layer, in metres, and reaches so many back (`depth`).
 
         Raises ArgumentError, ArgumentTypeError or AssetError, and draws nothing then.
         """
@@ -174,11 +177,20 @@ class Scene(Shown):
                 f"{owner}: tile={tile!r} needs a texture, and neither texture_points nor texture_matrix"
             )
         mixed = BLENDS.index(one_of(blend, owner, "blend", BLENDS))
+        form = shape
+        if slice is not None:
+            others = (tile, texture_points, texture_matrix, colours)
+            if texture is None or any(each is not None for each in others):
+                raise ArgumentError(
+                    f"{owner}: slice={slice!r} needs a texture, and no tile, texture_points, texture_matrix or colours"
+                )
+            form = sliced(shape, slice, self.size_of(texture, owner), owner)
+            place = on_shape(shape, place)
         layer = to_layer(layer, owner)
         behind, depth = to_depth(behind, depth, owner)
 
         core = self._core
-        handle = self._add_mesh(shape, body, texture_points, corner_colours)
+        handle = self._add_mesh(form, body, texture_points, corner_colours, shape)
         core.set_matrix(*handle, place)
         core.set_tint(*handle, tint.rgba8)
         self._show(handle, *look)
@@ -401,6 +413,7 @@ class Scene(Shown):
         body: Body | None,
         texture_points: Sequence[Point] | None,
         colours: Sequence[int] | None,
+        on: ShapeDefinition | Shape,
     ) -> tuple[int, int]:
         if isinstance(shape, Shape):
             cornered = shape.outline[0] == "polygon"
@@ -413,7 +426,8 @@ class Scene(Shown):
             return self._core.add_shape(self.world._core, shape.slot, SPECK, texture_points, colours)
         follows = None if body is None else (body.slot, body.generation)
         if isinstance(shape, Sliced):
-            return self._core.add_sliced(shape.width, shape.height, shape.border, shape.part, follows)
+            part = (on.slot, on.generation) if isinstance(on, Shape) else None
+            return self._core.add_sliced(shape.width, shape.height, shape.border, shape.part, follows, part)
         return self._core.add_definition(shape._spec, SPECK, follows, texture_points, colours)
 
     def _palette_colour(self, body: Body | None) -> Colour:

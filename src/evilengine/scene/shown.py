@@ -8,7 +8,7 @@ from typing import TypeAlias
 from evilengine import _core
 from evilengine.scene.animated import Clip, clip_of, still
 from evilengine.values.errors import ArgumentError, ArgumentTypeError, AssetError
-from evilengine.values.sheet import COURSES, Cell, Normals, Sheet
+from evilengine.values.sheet import COURSES, Cell, Grid, Normals, Sheet
 from evilengine.values.tick import STEP
 from evilengine.world.world import World
 
@@ -19,14 +19,19 @@ Surfaces: TypeAlias = Callable[[str | Cell], tuple[int, int]]
 """Gives the texture ids of the normals and of what glows that lie beside an image or a frame, 0 for none."""
 
 
+Sizes: TypeAlias = Callable[[str | Grid], tuple[float, float]]
+"""Gives width and height of an image, or of each frame of a sheet, in logical points, or raises AssetError."""
+
+
 class Shown:
     """The part of a scene that knows pictures."""
 
-    def __init__(self, world: World, textures: Textures | None, surfaces: Surfaces | None) -> None:
+    def __init__(self, world: World, textures: Textures | None, surfaces: Surfaces | None, sizes: Sizes | None) -> None:
         self.world = world
         self._core = _core.Scene()
         self._textures = textures
         self._surfaces = surfaces
+        self._sizes = sizes
         self._texture_names: dict[int, str | Normals] = {}
         self._dressed: dict[int, tuple[str | Cell, tuple[int, int]]] = {}  # textures, and what the core knows of them
         self._failed: dict[int, str] = {}  # textures of which something cannot be read, and why
@@ -48,6 +53,12 @@ class Shown:
         if isinstance(what, str):
             self._dress(texture, what)
         return texture
+
+    def size_of(self, texture: str | Sheet, owner: str) -> tuple[float, float]:
+        """Width and height of a picture, or of each frame of a sheet, in logical points."""
+        if self._sizes is None:
+            raise ArgumentError(f"{owner}: texture={texture!r}: this scene knows no sizes; Scene(sizes=...) takes them")
+        return self._sizes(texture.grid if isinstance(texture, Sheet) else texture)
 
     def _name_of(self, texture: int) -> str | None:
         """The name that a texture was asked for by."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from evilengine.script.air import PARTICLES
 from evilengine.script.arithmetic import formula
-from evilengine.script.checker import thing
+from evilengine.script.checker import place_of, thing
 from evilengine.script.fluid_building import add_fluid, add_water
 from evilengine.script.fluids import FLUIDS
 from evilengine.script.joints import JOINTS
@@ -12,9 +12,9 @@ from evilengine.script.lighting import LIGHT
 from evilengine.script.names import DRAWING, SOMETHING, Made, family_made
 from evilengine.script.settings import example_of
 from evilengine.script.shaping import Settings, ShapeBuilder
-from evilengine.script.syntax import Expression, Identifier, New, Setting, Spot, Text
+from evilengine.script.syntax import Expression, Identifier, Literal, New, Setting, Spot, Text
 from evilengine.script.waters import FILLING, LIQUID, WATERS
-from evilengine.script.word import MOST_COLUMNS, PLACE, Property, Range
+from evilengine.script.word import MOST_COLUMNS, PLACE, Property, Range, plain
 from evilengine.script.words import KINDS, kind_called, property_of
 from evilengine.values import level as values
 from evilengine.values.level import (
@@ -26,6 +26,7 @@ from evilengine.values.level import (
     Make,
     Name,
     Number,
+    Numbers,
     Option,
     Pair,
     Place,
@@ -35,6 +36,13 @@ from evilengine.values.level import (
 BODIES = ("body", "character")
 """What `this` and `other` may be, and joints hold."""
 _MEASURE = {"angle": "angle", "length": "length", "time": "time", "mass": "mass", "spin": "spin", "point": "length"}
+
+_PICTURED = (
+    ("frames", "texture", "frames 4 1 fps 10"), ("tile", "texture", "tile 0.5"), ("slice", "texture", "slice 12"),
+    ("fps", "frames", "frames 4 1 fps 10"), ("showing", "frames", "frames 4 1 showing 2"),
+    ("plays", "frames", "frames 4 1 plays once"),
+)  # fmt: skip
+"""What is said about a picture, what that needs, and how it is said."""
 
 
 class ThingBuilder(ShapeBuilder):
@@ -59,6 +67,7 @@ class ThingBuilder(ShapeBuilder):
                 name = statement.name.name if statement.name else ""
                 commands = [values.AddLight(statement.place, name, tuple(self._options(settings)))]
             elif kind.family == PARTICLES:
+                self._exclude(settings, "glowing", "blend")
                 name = statement.name.name if statement.name else ""
                 commands = [values.AddParticles(statement.place, name, tuple(self._options(settings)))]
             elif kind.family in FLUIDS:
@@ -105,7 +114,7 @@ class ThingBuilder(ShapeBuilder):
 
     def _body(self, statement: New, settings: Settings) -> list[Command]:
         self._body_conflicts(settings)
-        self._picture_conflicts(settings)
+        self._picture_conflicts(statement, settings)
         options: list[Option] = [Option("kind", _body_kind(settings))]
         options.append(self._place(statement, settings))
         shapes = self.shapes(statement, settings)
@@ -114,7 +123,7 @@ class ThingBuilder(ShapeBuilder):
         return [values.AddBody(statement.place, name, shapes, tuple(options))]
 
     def _character(self, statement: New, settings: Settings) -> list[Command]:
-        self._picture_conflicts(settings)
+        self._picture_conflicts(statement, settings)
         options = [self._place(statement, settings)]
         if "velocity" in settings:
             hint = "throw it later, as in: set hero velocity 0 12;"
@@ -141,7 +150,7 @@ class ThingBuilder(ShapeBuilder):
         return tuple(Called(name.name) for name in named if isinstance(name, Identifier))
 
     def _drawing(self, statement: New, settings: Settings) -> list[Command]:
-        self._picture_conflicts(settings)
+        self._picture_conflicts(statement, settings)
         options = [self._place(statement, settings)]
         options += self._options(settings, "at")
         shapes = self.shapes(statement, settings)
@@ -172,35 +181,56 @@ class ThingBuilder(ShapeBuilder):
 
     def _body_conflicts(self, settings: Settings) -> None:
         for one, other in (("density", "mass"), ("physicsOn", "moving")):
-            if one in settings and other in settings:
-                later = max(settings[one][0], settings[other][0], key=lambda each: (each.place.line, each.place.column))
-                self.error("both-said", f"{one} and {other} exclude each other", later.place, "keep one of them")
+            self._exclude(settings, one, other)
         if "physicsOn" not in settings and "moving" not in settings:
             for word in ("velocity", "spin"):
                 if word in settings:
                     message = f"{word} means nothing for a thing that stands still"
                     self.error("stands-still", message, settings[word][0].place, "add physicsOn")
 
+    def _exclude(self, settings: Settings, one: str, other: str) -> None:
+        if one in settings and other in settings:
+            later = max(settings[one][0], settings[other][0], key=lambda each: (each.place.line, each.place.column))
+            self.error("both-said", f"{one} and {other} exclude each other", later.place, "keep one of them")
+
     def _light_conflicts(self, settings: Settings) -> None:
         """A sun has neither place nor cone, and what says where a light shines to says how its picture is turned."""
         if "towards" in settings and "cone" in settings and not {"at", "follows"} & settings.keys():
             message = "a light that shines from far away has no cone"
             self.error("both-said", message, settings["cone"][0].place, "say where it is, as in: at 0 3")
-        if "towards" in settings and "angle" in settings:
-            place = settings["angle"][0].place
-            self.error("both-said", "towards and angle exclude each other", place, "keep one of them")
+        self._exclude(settings, "towards", "angle")
 
-    def _picture_conflicts(self, settings: Settings) -> None:
+    def _picture_conflicts(self, statement: New, settings: Settings) -> None:
         """What is said about a picture needs one, and the number of its frames is known beforehand."""
-        for word, needed in (("frames", "texture"), ("tile", "texture"), ("fps", "frames")):
+        for word, needed, shown in _PICTURED:
             if word in settings and needed not in settings:
-                hint = f'as in: texture "coin.png" {"tile 0.5" if word == "tile" else "frames 4 1 fps 10"}'
+                hint = f'as in: texture "coin.png" {shown}'
                 self.error("missing-property", f"{word} needs {needed}", settings[word][0].place, hint)
+        for one, other in (("showing", "fps"), ("showing", "plays"), ("slice", "tile")):
+            self._exclude(settings, one, other)
+        self._corner_conflicts(statement, settings)
         if "frames" in settings:
             (spot,) = settings["frames"][0].values
             assert isinstance(spot, Spot)
             for side, what in ((spot.x, "the columns of frames"), (spot.y, "the rows of frames")):
                 self.whole(side, what, Range(least=1, most=MOST_COLUMNS))
+
+    def _corner_conflicts(self, statement: New, settings: Settings) -> None:
+        """Only a rectangle has borders, and a colour is for each corner."""
+        kind = KINDS[statement.kind or ""]
+        if "slice" in settings and kind.word != "rectangle":
+            self.error("wrong-property", f"a {kind.word} has no borders to slice", settings["slice"][0].place,
+                       "slice is for rectangle")  # fmt: skip
+        if "colours" not in settings:
+            return
+        setting = settings["colours"][0]
+        self._exclude(settings, "colour", "colours")
+        corners = 4 if kind.word == "rectangle" else len(statement.corners)
+        if kind.open or not corners:
+            self.error("wrong-property", f"a {kind.word} has no corners to colour", setting.place, "say: colour")
+        elif len(setting.values) != corners and not statement.broken:
+            message = f"this {kind.word} has {corners} corners, but {len(setting.values)} colours"
+            self.error("wrong-count", message, setting.place, "write one for each")
 
     def _spring(self, statement: New, settings: Settings) -> list[Command]:
         options: list[Option] = []
@@ -279,6 +309,10 @@ class ThingBuilder(ShapeBuilder):
     def value(self, setting: Setting, entry: Property) -> Value:
         if entry.takes == "flag":
             return True
+        if entry.takes == "switch":
+            return not any(isinstance(each, Identifier) and each.name == "off" for each in setting.values)
+        if entry.takes in ("span", "sides"):
+            return self._numbers(setting, entry)
         if entry.takes == "colours":
             return Colours(tuple(self.colour(each) for each in setting.values if isinstance(each, Text)))
         item = setting.values[0]
@@ -286,7 +320,10 @@ class ThingBuilder(ShapeBuilder):
             case Text():
                 if entry.takes == "colour":
                     return self.colour(item)
-                return self.picture(item) if entry.takes == "picture" else item.value
+                if entry.choices is not None:
+                    return self.choice(item, entry.word, entry.choices)
+                check = {"picture": self.picture, "font": self.font}.get(entry.takes)
+                return check(item) if check else item.value
             case Spot():
                 measure = {"direction": "speed", "spot": ""}.get(entry.takes, "length")
                 return self.pair(item, entry.word, entry.range, measure)
@@ -297,9 +334,25 @@ class ThingBuilder(ShapeBuilder):
             case _:
                 return self._amount(item, entry)
 
+    def _numbers(self, setting: Setting, entry: Property) -> Value:
+        """One number, or several: of a span, the least and the most."""
+        said = [each for each in setting.values if not isinstance(each, Text | Identifier | Spot)]
+        found = [self.number(each, entry.word, entry.range, entry.measure) for each in said]
+        if len(found) == 1:
+            return found[0]
+        if entry.takes == "sides":
+            return Numbers(tuple(found))
+        low, high = found
+        if isinstance(low, float) and isinstance(high, float) and low > high:
+            hint = f"write {entry.word} {plain(high)} {plain(low)}"
+            self.error("out-of-range", f"{entry.word} has its least number first", place_of(said[0]), hint)
+        return Pair(low, high)
+
     def _amount(self, item: Expression, entry: Property) -> Value:
         if entry.takes == "whole":
             return self.whole(item, entry.word, entry.range)
+        if entry.takes == "index" and isinstance(item, Literal) and item.value != int(item.value):
+            self.error("not-whole", f"{entry.word} is a whole number", item.place, f"write {round(item.value)}")
         value = self.number(item, entry.word, entry.range, _MEASURE.get(entry.takes, ""))
         if entry.takes in ("angle", "spin"):
             return formula("radians", (value,), item.place)

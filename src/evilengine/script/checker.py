@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 import os
 import re
+from collections.abc import Mapping
 from itertools import pairwise
 from pathlib import Path, PurePosixPath
 
@@ -16,6 +17,7 @@ from evilengine.script.arithmetic import ArithmeticProblem, bounds, formula
 from evilengine.script.expressions import cut
 from evilengine.script.lexer import Source
 from evilengine.script.names import NUMBER, SOMETHING, Made, Names, reserved
+from evilengine.script.settings import one_of
 from evilengine.script.syntax import Expression, Identifier, Level, Literal, Operation, Reference, Spot, Text
 from evilengine.script.word import ANY, MEASURES, UNITS, Kind, Range, plain
 from evilengine.script.words import EVENT_NAMES, near
@@ -260,6 +262,17 @@ class Checker:
 
     def picture(self, text: Text) -> str:
         return self._file(text, "pictures", (".png", ".jpg", ".jpeg", ".webp", ".gif", ".bmp"), "crate.png")
+
+    def font(self, text: Text) -> str:
+        return self._file(text, "fonts", (".ttf", ".otf", ".ttc"), "title.ttf")
+
+    def choice(self, text: Text, word: str, choices: Mapping[str, str]) -> str:
+        """What the engine calls one of the words that `word` may be."""
+        if text.value not in choices:
+            suggestion = near(text.value, choices)
+            hint = f"did you mean '{suggestion}'?" if suggestion else f"{word} is {one_of(choices)}"
+            self.error("unknown-choice", f"there is no {word} '{cut(text.value)}'", text.place, hint)
+        return choices.get(text.value, text.value)
 
     def sound(self, text: Text) -> str:
         return self._file(text, "sounds", (".wav", ".ogg", ".mp3", ".flac"), "thud.ogg")

@@ -37,6 +37,8 @@ CAMERA_PROPERTIES: tuple[Property, ...] = (
     _camera("smoothing", "time", "How many seconds it takes to come after what it follows, softly.",
         example=_HERO + "camera follows ball smoothing 0.3;", range=Range(least=0.0, most=3600.0),
         meant=("smooth", "lag", "ease")),
+    _camera("ahead", "point", "How far from what it follows it looks, as to show more of the way ahead.",
+        example=_HERO + "camera follows ball ahead 2 1;", option="offset", range=PLACE, meant=("offset", "lookAhead")),
     _camera("leftBottom", "point", "The lower left corner of what may be seen; nothing beyond is.",
         "leftBottom -20 -5 rightTop 20 10", option="low", range=PLACE, meant=("bounds", "limits", "from")),
     _camera("rightTop", "point", "The upper right corner of what may be seen.", "leftBottom -20 -5 rightTop 20 10",
@@ -48,6 +50,7 @@ NEEDS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("over", ("at", "zoom", "angle")),
     ("deadZone", ("follows",)),
     ("smoothing", ("follows",)),
+    ("ahead", ("follows",)),
     ("leftBottom", ("rightTop",)),
     ("rightTop", ("leftBottom",)),
 )

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from evilengine.script.word import Of, Property, Range
+from evilengine.script.word import MOST_BITS, Of, Property, Range
 
 _any = Of(("body", "character"), "new circle ball 0.5 at 0 3 physicsOn ")
 _thing = Of(("body",))
-_BITS = 4_294_967_295.0  # all 32 of them
 
 # fmt: off
 MEETING: tuple[Property, ...] = (
@@ -21,9 +20,9 @@ MEETING: tuple[Property, ...] = (
         example="new rectangle belt 8 0.5 at 0 -2 conveyor 2;", option="surface_speed",
         range=Range(least=-1000.0, most=1000.0), settable=True, meant=("belt", "treadmill", "surfaceSpeed")),
     _any("category", "whole", "What it is, as a sum of 1, 2, 4, 8 and so on; things that say nothing are 1.",
-        "category 2", range=Range(least=1.0, most=_BITS), settable=True, meant=("categories",)),
+        "category 2", range=Range(least=1.0, most=MOST_BITS), settable=True, meant=("categories",)),
     _any("mask", "whole", "Which categories it meets, as their sum; it passes through all others. Without it, all.",
-        "category 2 mask 5", range=Range(least=0.0, most=_BITS), settable=True,
+        "category 2 mask 5", range=Range(least=0.0, most=MOST_BITS), settable=True,
         meant=("collidesWith", "meets", "filter")),
     _any("group", "whole", "Two of one group meet always; if its number is negative, never. 0 is none.", "group -1",
         range=Range(least=-1_000_000.0, most=1_000_000.0), settable=True),

@@ -10,7 +10,18 @@ from evilengine.script.joints import JOINT_PROPERTIES
 from evilengine.script.lighting import LIGHT_PROPERTIES
 from evilengine.script.meeting import MEETING
 from evilengine.script.waters import WATER_PROPERTIES
-from evilengine.script.word import FRACTION, NOT_NEGATIVE, PLACE, SIZE, Of, Property, Range
+from evilengine.script.word import (
+    BLENDS,
+    FRACTION,
+    MOST_COLUMNS,
+    NOT_NEGATIVE,
+    PLACE,
+    SIZE,
+    Of,
+    Property,
+    Range,
+    same,
+)
 
 _placed = Of(("body", "drawing", "character", "medium", "ladder"))
 _thing = Of(("body",), "new circle ball 0.5 at 0 3 physicsOn ")
@@ -24,6 +35,12 @@ _text = Of(("text",), 'text "Hello" at 20 20 ')
 _sound = Of(("sound",), 'play "thud.ogg" ')
 _heard = Of(("sound", "music"), 'play "thud.ogg" ')
 _music = Of(("music",), 'music "wind.ogg" ')
+
+_BORDER = Range(least=0.0, most=10_000.0)
+_ANCHORS = {
+    "topLeft": "top left", "top": "top", "topRight": "top right", "left": "left", "centre": "centre", "right": "right",
+    "bottomLeft": "bottom left", "bottom": "bottom", "bottomRight": "bottom right",
+}  # fmt: skip
 
 # fmt: off
 PROPERTIES: tuple[Property, ...] = (
@@ -89,6 +106,20 @@ PROPERTIES: tuple[Property, ...] = (
         meant=("sheet", "animation", "spritesheet", "columns")),
     _look("fps", "number", "How many of its frames are shown in a second; 12 is usual.",
         range=Range(least=0.001, most=1000.0), meant=("framerate", "frameRate")),
+    _look("showing", "index", "Which of its frames is shown, in place of all in turn: 0 is the first.",
+        range=Range(least=0.0, most=MOST_COLUMNS * MOST_COLUMNS - 1), settable=True, part="drawings",
+        option="frame",
+        meant=("frame", "cell", "still")),
+    _look("plays", "choice", "How its frames go on after the last: from the first again, not at all, or backwards.",
+        option="course",
+        choices=same("loop", "once", "back"), meant=("course", "repeating", "looping", "pingpong")),
+    _look("flipX", "flag", "Its picture is mirrored, left for right.", example="new circle 0.5 at 0 3 flipX;",
+        option="flip_x", settable=True, part="drawings", meant=("mirror", "mirrored", "flip", "flipHorizontal")),
+    _look("flipY", "flag", "Its picture stands on its head.", example="new circle 0.5 at 0 3 flipY;",
+        option="flip_y", settable=True, part="drawings", meant=("upsideDown", "flipVertical")),
+    _look("slice", "sides", "How wide the borders of its picture are, in points of it: left, top, right and bottom, or "
+        "one number for all. They keep their width, and what lies between them is stretched.", range=_BORDER,
+        meant=("nineSlice", "ninepatch", "border", "borders")),
     _look("tile", "length", "How wide and high its picture is, which is laid again and again.", range=SIZE,
         meant=("tiled", "tiles")),
     _look("layer", "whole", "What is drawn over what: a whole number; higher is in front, 0 is usual.",
@@ -110,6 +141,17 @@ PROPERTIES: tuple[Property, ...] = (
     _look("glow", "number", "How strongly it shines by itself: 1 as its picture or its colour says, 0 not at all.",
         example="new circle coal 0.2 at 0 3 lit glow 1;", range=Range(least=0.0, most=64.0), settable=True,
         part="drawings", meant=("shine", "shines", "luminous")),
+    _look("colours", "colours", "The colours of its corners, in their order, which run into each other; those of a "
+        "rectangle go round against the clock from the lower left.",
+        example='new rectangle 4 2 at 0 3 colours "#102040" "#102040" "orange" "orange";',
+        spellings=("colors",), meant=("gradient", "cornerColours", "fade")),
+    _look("blend", "choice", "How it meets what is behind: it covers it, adds light to it, multiplies with it as "
+        "coloured glass does, or brightens it and never burns out.",
+        example='draw circle halo 1 at 0 3 colour "#ff9a3c60" blend add;', choices=BLENDS, settable=True,
+        part="drawings", meant=("blending", "mix", "mode", "additive", "blendMode")),
+    _look("outline", "flag", "A thin darker line runs round it.",
+        example='new circle 0.5 at 0 3 colour "gold" outline;', settable=True, part="drawings",
+        meant=("stroke", "edge", "contour")),
     _look("hidden", "flag", "It is there but not seen.", example="new rectangle 4 1 at 0 -2 hidden;", settable=True,
         part="drawings", meant=("invisible", "hide", "unseen")),
     _shape("thickness", "length", "How thick the walls of a room are.", example="new walls 15 8 thickness 0.5;",
@@ -148,11 +190,19 @@ PROPERTIES: tuple[Property, ...] = (
         example='text "Hello" at 20 20;', range=Range(least=-10_000.0, most=10_000.0), settable=True,
         meant=("position", "pos", "place", "location")),
     _text("size", "number", "How tall its letters are, in points; 16 is usual.", "size 32",
-        range=Range(least=4.0, most=400.0), settable=True, meant=("height", "fontSize", "font")),
+        range=Range(least=4.0, most=400.0), settable=True, meant=("height", "fontSize")),
     _text("colour", "colour", "The colour of its letters.", 'colour "gold"', settable=True, spellings=("color",),
         meant=("fill", "tint", "paint", "col")),
     _text("width", "number", "How wide its lines may be, in points; longer ones break.", "width 200",
         range=Range(above=0.0, most=10_000.0), settable=True, meant=("wrap", "maxWidth")),
+    _text("align", "choice", "Where each of its lines lies; unless said, as `pinned` says.", "width 200 align centre",
+        choices=same("left", "centre", "right"), settable=True, meant=("alignment", "justify", "textAlign")),
+    _text("pinned", "choice", "Which corner or side of the screen `at` counts from, inwards, and which of its own "
+        "hangs there; `topLeft` unless said.", example='text "Paused" at 0 0 pinned centre;', choices=_ANCHORS,
+        option="anchor", settable=True, meant=("anchor", "corner", "pin", "origin")),
+    _text("font", "font", "The file of its typeface, .ttf or .otf, in the level's folder.", settable=True,
+        meant=("typeface", "fontFile", "face")),
+    _text("hidden", "flag", "It is there but not seen.", "hidden", settable=True, meant=("invisible", "hide")),
     *CHARACTER_PROPERTIES,
     *AIR_PROPERTIES,
     *CAMERA_PROPERTIES,

@@ -7,7 +7,8 @@ from evilengine.script.python_meetings import PythonMeetings
 from evilengine.script.python_values import quoted
 from evilengine.values import level as commands
 
-_ANGLES = frozenset({"direction", "cone", "spin", "angle"})
+ANGLES = frozenset({"direction", "cone", "spin", "angle"})
+"""What counts in radians."""
 
 
 class Code(str):
@@ -33,13 +34,16 @@ class PythonPictures(PythonMeetings):
                 if "fog_above" in said:
                     above = said.pop("fog_above")
                     said["fog"] = Code(f"[{said.get('fog', above)}, {above}]")
+                if "hidden" in said:
+                    said["visible"] = Code(str(said.pop("hidden") == "False"))
                 for name, value in said.items():
                     self._line(f"game.layers[{layer}].{name} = {value}")
             case commands.SetLens():
-                if said.pop("filmic", ""):
-                    said["tone_mapping"] = Code(quoted("filmic"))
-                if said.pop("perspective", ""):
-                    self._line("game.layers.perspective = True")
+                if "filmic" in said:
+                    said["tone_mapping"] = Code(quoted("filmic" if said.pop("filmic") == "True" else "plain"))
+                for name in ("perspective", "distance"):
+                    if name in said:
+                        self._line(f"game.layers.{name} = {said.pop(name)}")
                 for name, value in said.items():
                     self._line(f"game.post.{name} = {value}")
             case commands.SetCamera():
@@ -47,8 +51,7 @@ class PythonPictures(PythonMeetings):
             case commands.AddLight(name=name):
                 if "direction" in said:
                     said["direction"] = Code(f"evil.Vec2(1, 0).turned({said['direction']})")
-                if "shadows" in said:
-                    said["shadows"] = Code("False")
+                said |= {name: Code("False") for name in ("shadows", "on") if name in said}
                 if not said.keys() & {"at", "direction", "body"}:
                     said["at"] = Code("(0, 0)")
                 with self._if_alive(*([said["body"]] if "body" in said else [])):
@@ -61,7 +64,7 @@ class PythonPictures(PythonMeetings):
                     self._call(self._naming(name), "game.add_particles", arguments)
 
     def _camera(self, said: dict[str, Code]) -> None:
-        following = [f"{name}={said.pop(name)}" for name in ("dead_zone", "smoothing") if name in said]
+        following = [f"{name}={said.pop(name)}" for name in ("dead_zone", "smoothing", "offset") if name in said]
         if "target" in said:
             target = said.pop("target")
             with self._if_alive(target):
@@ -76,7 +79,9 @@ class PythonPictures(PythonMeetings):
             self._line(f"game.camera.{name} = {value}")
 
     def _written(self, option: commands.Option) -> str:
-        return self.angle(option.value) if option.name in _ANGLES else self.value(option.value)
+        if option.name == "burst":
+            return self.index(option.value)
+        return self.angle(option.value) if option.name in ANGLES else self.value(option.value)
 
 
 def shown(value: object) -> str:

@@ -15,6 +15,7 @@ from evilengine.values.level import (
     Make,
     Name,
     Number,
+    Numbers,
     Option,
     Pair,
     PlayMusic,
@@ -84,6 +85,8 @@ class PythonValues(ABC):
         match value:
             case Pair(x, y):
                 return f"({self.number(x)}, {self.number(y)})"
+            case Numbers(parts):
+                return f"({', '.join(map(self.number, parts))})"
             case Corners(points):
                 return f"[{', '.join(self.value(point) for point in points)}]"
             case Holes(rings):
@@ -112,10 +115,19 @@ class PythonValues(ABC):
         assert isinstance(frames.y, float)
         columns, rows, name = int(frames.x), int(frames.y), quoted(ALL_FRAMES)
         fps = f"fps={self.value(said['fps'])}, " if "fps" in said else ""
-        animations = f"animations={{{name}: range({columns * rows})}}"
+        shown = f"[{self.index(said['frame'])}]" if "frame" in said else f"range({columns * rows})"
+        if "course" in said:
+            shown = f"evil.Animation({shown}, course={self.value(said['course'])})"
+        animations = f"animations={{{name}: {shown}}}"
         sheet = f"evil.Sheet({self.value(said['texture'])}, {columns}, {rows}, {fps}{animations})"
-        rest = [self.option(option) for option in options if option.name not in ("texture", "frames", "fps")]
+        of_sheet = ("texture", "frames", "fps", "frame", "course")
+        rest = [self.option(option) for option in options if option.name not in of_sheet]
         return [*rest, f"texture={sheet}", f"animation={name}"]
+
+    def index(self, value: Value) -> str:
+        """A whole number, which a fraction is cut off from."""
+        text = self.value(value)
+        return text if isinstance(value, float) else f"int({text})"
 
     def option(self, option: Option) -> str:
         if option.name == "hidden":

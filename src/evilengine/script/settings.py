@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Iterable
 
 from evilengine.script.expressions import Expressions, Skip, cut, shown
 from evilengine.script.lexer import Token
@@ -166,6 +167,15 @@ class Settings(Expressions):
             case "flag":
                 self._no_value(word)
                 return ()
+            case "switch":
+                return (self.switch(word),) if self.token.kind == "name" and self.token.text in _SWITCHES else ()
+            case "choice":
+                return (self._one_word(entry),)
+            case "span":
+                first = self.number(f"{word} needs one number, or the least and the most, {as_in}")
+                return (first, self.number(as_in)) if self._more_numbers() else (first,)
+            case "sides":
+                return self._sides(f"{word} needs one number, or four: left, top, right, bottom, {as_in}")
             case "point" | "direction" | "spot":
                 return (self.spot(f"{word} needs two numbers, {as_in}"),)
             case "colour":
@@ -180,6 +190,8 @@ class Settings(Expressions):
                 return corners
             case "picture":
                 return (self.file(word, "a picture", "crate.png"),)
+            case "font":
+                return (self.file(word, "a font file", "title.ttf"),)
             case "tag":
                 return (self._tag(word),)
             case "name":
@@ -212,6 +224,32 @@ class Settings(Expressions):
                     "missing-comma", f"a comma is missing between two {word}s", self.after_last(), "as in: 0 0, 1 0"
                 )
         return tuple(result), said
+
+    def _one_word(self, entry: Property) -> Text:
+        """One of the words that there are, with or without quotes."""
+        token, choices = self.token, entry.choices or {}
+        stands = token.kind == "name" and (token.text in choices or (token.text not in RESERVED and not token.first))
+        if token.kind == "string" or stands:
+            self.advance()
+            return Text(token.text, token.place)
+        where: Token | Place = token if token.kind == "number" else self.after_last()
+        self.error("missing-choice", f"{entry.word} needs a word", where, f"{entry.word} is {one_of(choices)}")
+        if token.kind == "number":
+            self.advance()
+        raise Skip
+
+    def _more_numbers(self) -> bool:
+        return self.at_number() and not self.token.first
+
+    def _sides(self, wanted: str) -> tuple[Item, ...]:
+        """One number, or four."""
+        result: list[Item] = [self.number(wanted)]
+        while self._more_numbers() and len(result) < 4:
+            result.append(self.number(wanted))
+        if len(result) not in (1, 4):
+            self.error("wrong-count", wanted, self.after_last())
+            raise Skip
+        return tuple(result)
 
     def _no_value(self, word: str) -> None:
         token = self.token
@@ -328,6 +366,16 @@ def _near_any(word: str) -> str | None:
     return near(word, PROPERTY_WORDS)
 
 
+def one_of(words: Iterable[str]) -> str:
+    """Words to choose from, as people say them.
+
+    >>> one_of(("loop", "once", "back"))
+    'loop, once or back'
+    """
+    *others, last = words
+    return f"{', '.join(others)} or {last}" if others else last
+
+
 def example_of(entry: Property) -> str:
     """A property with its value, out of the table's example; of what needs a picture there is none."""
     if entry.example:
@@ -335,7 +383,10 @@ def example_of(entry: Property) -> str:
     return _PICTURED.get(entry.word, f'{entry.word} "crate.png"' if entry.takes == "picture" else entry.word)
 
 
-_PICTURED = {"frames": "frames 4 1", "fps": "fps 10", "tile": "tile 0.5", "tall": "tall 6"}
+_PICTURED = {
+    "frames": "frames 4 1", "fps": "fps 10", "showing": "showing 2", "plays": "plays once", "tile": "tile 0.5",
+    "slice": "slice 12", "tall": "tall 6", "layer": "layer -5", "colour": 'colour "grey"', "font": 'font "title.ttf"',
+}  # fmt: skip
 
 
 def _extract(example: str, word: str) -> str:

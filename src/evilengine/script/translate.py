@@ -6,6 +6,7 @@ from pathlib import PurePath
 
 from evilengine.script.blocks import destroyed, is_deferred, used
 from evilengine.script.python_fluids import PythonFluids
+from evilengine.script.python_pictures import ANGLES
 from evilengine.script.python_values import imports, literal, quoted
 from evilengine.script.word import OPPOSITES
 from evilengine.values import level as commands
@@ -224,7 +225,10 @@ class Translator(PythonFluids):
 
     def _set(self, command: commands.SetProperty) -> None:
         name, attribute = self.called(command.target.name), command.property
-        value = self.angle(command.value) if "ang" in attribute else self.value(command.value)
+        in_radians = "ang" in attribute or attribute in ANGLES
+        value = self.angle(command.value) if in_radians else self.value(command.value)
+        if attribute in ("frame", "burst"):
+            value = self.index(command.value)
         if command.part == "character":
             with self._as_character(name) as character:
                 self._line(f"{character}.{attribute} = {value}")
@@ -239,6 +243,8 @@ class Translator(PythonFluids):
                 self._line(f"for drawing in {name}.drawings:")
                 with self._deeper():
                     self._line(f"drawing.{attribute} = {value}")
+            elif attribute == "burst":
+                self._line(f"{name}.burst({value})")
             else:
                 self._line(f"{name}.{attribute} = {value}")
 

@@ -13,9 +13,10 @@ MAX_ROUNDS = 1000  # rounds of one repeat; beyond, a level takes seconds to load
 MAX_WORK = 20_000  # statements carried out by nested repeats at once; ten thousand bodies fill a screen many times over
 MAX_NESTING = 16  # blocks inside blocks
 MOST_COLUMNS = 64  # frames side by side, or one below another, of a sheet: 64 by 64 is as many as a Sheet takes
+MOST_BITS = 4_294_967_295.0  # all 32 categories
 MAX_CORNERS = 256  # corners of one polygon
 MAX_BODIES = 10_000  # bodies that a level keeps alive; `new` does nothing beyond, so a forgotten `every` stays playable
-OPPOSITES = {"hidden": "visible", "idle": "running"}
+OPPOSITES = {"hidden": "visible", "idle": "running", "out": "on", "noShadows": "shadows"}
 """What a level says of a thing -> the attribute that is the opposite."""
 FARTHEST = 100_000.0  # metres from the origin; float32 positions are a centimetre apart there
 
@@ -85,6 +86,14 @@ class Range:
         return f"at most {plain(self.most)}" if self.most is not None else "any number"
 
 
+def same(*words: str) -> Mapping[str, str]:
+    """Choices that the engine calls what a level calls them."""
+    return dict(zip(words, words, strict=True))
+
+
+BLENDS = same("normal", "add", "multiply", "screen")
+
+
 def plain(value: float) -> str:
     """A number as people write it.
 
@@ -150,8 +159,9 @@ class Property(Word):
     """A word that follows what is made, with its value."""
 
     takes: str
-    """flag, whole, number, angle, length, time, mass, spin, point, direction, spot, colour, colours, picture, tag,
-    name, names, place, corners: what the parser reads and the checker asks of it."""
+    """flag, switch, choice, whole, index, number, angle, length, time, mass, spin, span, sides, point, direction, spot,
+    colour, colours, picture, font, tag, name, names, place, corners: what the parser reads and the checker asks of
+    it."""
     families: tuple[str, ...]
     option: str = ""
     """The engine's keyword argument."""
@@ -160,6 +170,10 @@ class Property(Word):
     """The attribute that `set` changes while the level plays; empty when it cannot be changed."""
     part: str = ""
     """Whose it is, if not the thing's as a whole: "drawings" for looks, "shape" for what only some kinds have."""
+    measure: str = ""
+    """What a span is counted in."""
+    choices: Mapping[str, str] | None = None
+    """Of a choice: the words that there are, and what the engine calls them."""
     of: tuple[str, ...] = ()
     """Families of what its name may stand for; things, where it says nothing."""
     spellings: tuple[str, ...] = ()

@@ -58,6 +58,9 @@ from evilengine.values.level_values import (
     Number as Number,
 )
 from evilengine.values.level_values import (
+    Numbers as Numbers,
+)
+from evilengine.values.level_values import (
     Option as Option,
 )
 from evilengine.values.level_values import (

@@ -46,6 +46,13 @@ class Pair:
 
 
 @dataclass(frozen=True, slots=True)
+class Numbers:
+    """Several numbers that belong together."""
+
+    parts: tuple[Number, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Called:
     """The body, force or text that a level calls by this name; `this` and `other` inside an event."""
 
@@ -83,7 +90,7 @@ class Area:
     top: Number
 
 
-Value: TypeAlias = Number | Pair | Corners | Holes | Colours | Area | Called | str | bool | int
+Value: TypeAlias = Number | Pair | Numbers | Corners | Holes | Colours | Area | Called | str | bool | int
 
 
 @dataclass(frozen=True, slots=True)

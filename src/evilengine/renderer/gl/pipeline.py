@@ -34,6 +34,8 @@ COVERS = (0, 1, 2)
 BLENDS: tuple[Blend, ...] = ("over", "over", "multiply", "screen")
 """By the numbers of draw::Blend; what adds is drawn over, with no alpha."""
 
+ADD = 1
+
 INSTANCE = Layout(
     104,
     (
@@ -255,13 +257,14 @@ class Pipeline:
             self.target, self._spare = done, target
         return done
 
-    def _draw_specks(self, target: Target, first: int, count: int, disc: bool, adds: bool) -> None:
+    def _draw_specks(self, target: Target, first: int, count: int, disc: bool, blend: int) -> None:
         self.device.draw(
             target,
-            self.programs.get("speck.vert", "speck.frag", DISC=int(disc), ADDS=int(adds)),
+            self.programs.get("speck.vert", "speck.frag", DISC=int(disc), ADDS=int(blend == ADD)),
             instances=(self._specks, SPECK, first, count),
             textures=[],
             uniforms={"target_size": (float(target.size[0]), float(target.size[1]))},
+            blend=BLENDS[blend],
         )
 
     def show(self, size: tuple[int, int]) -> None:
