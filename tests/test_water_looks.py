@@ -99,6 +99,28 @@ def test_a_jet_of_single_particles_stays_whole() -> None:
     assert thick.min() > 1.5
 
 
+def test_clumps_of_particles_are_no_combs() -> None:
+    """Liquid that flowed apart lies in columns: as many particles in each cell as ever, with gaps between."""
+    game = black()
+    water = pour(game, pool, **PLAIN)
+    positions = np.asarray(water.positions)
+    positions[:, 0] = -4 + 0.3 * np.floor((positions[:, 0] + 4) / 0.3) + 0.15
+    white = share_of_white(game)
+    assert white[126:190].min() > 0.9
+    assert white[:116].max() == 0.0
+
+
+def test_the_border_of_two_liquids_is_sharp() -> None:
+    game = black()
+    water = game.add_water(AREA, particle_size=SIZE, ramp=["#00f", "#00f"], rim=0, refraction=0)
+    oil = water.add_liquid(colour="#f00")
+    water.fill((-4, -2.5, 4, -0.5))
+    water.fill((-4, -0.5, 4, 1.0), liquid=oil)
+    column = pixels(game)[70:170, 100]
+    mixed = (column[:, 0] > 0.1 * column[:, 0].max()) & (column[:, 2] > 0.1 * column[:, 2].max())
+    assert 0 < mixed.sum() <= 0.1 * 40 * 1.5, "as wide as one particle and a half"
+
+
 def test_behind_what_swims_there_is_the_liquid_that_is_round_it() -> None:
     game = black()
     water = game.add_water((-5, -3, 5, 3), particle_size=SIZE, ramp=["#0000ff", "#0000ff"], rim=0, refraction=0)

@@ -168,6 +168,7 @@ bool map_liquid(LiquidMap& map, LiquidScratch& scratch, const Sea& sea, const Li
     sum_particles(scratch, sea, grid, look.tables.size(), set);
     find_sharp(scratch, grid, set);
     find_solids(scratch, sea, grid, world, alpha);
+    fill_gaps(scratch, grid, set);
     fill_solids(scratch, grid, std::fabs(up.y) >= std::fabs(up.x));
     fill_shares(scratch, grid);
     find_surface(scratch, grid, set);

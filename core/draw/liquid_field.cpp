@@ -84,6 +84,20 @@ void find_sharp(LiquidScratch& scratch, const LiquidGrid& grid, InstructionSet s
     }
 }
 
+// Particles that flow apart lie in clumps, with gaps between them that are no air: there is as much liquid round them as
+// where it is full. Beside what is solid, half of what is round is missing.
+void fill_gaps(LiquidScratch& scratch, const LiquidGrid& grid, InstructionSet set) {
+    constexpr float kBell = 2.5f; // texels, of what is blurred so
+    constexpr float kHalf = 0.3989f / kBell, kFrom = 0.65f, kFull = 0.85f;
+    scratch.known = scratch.weight;
+    blur(scratch.known, scratch, grid, 2, 1, set);
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        const float room = std::clamp(0.5f + kHalf * scratch.solid[i], 0.5f, 1.0f);
+        const float full = (scratch.known[i] * grid.one - kFrom * room) / ((kFull - kFrom) * room);
+        scratch.whole[i] = std::max(scratch.whole[i], std::min(full, 1.0f));
+    }
+}
+
 void find_surface(LiquidScratch& scratch, const LiquidGrid& grid, InstructionSet set) {
     scratch.smooth = scratch.whole;
     blur(scratch.smooth, scratch, grid, 1, 2, set);

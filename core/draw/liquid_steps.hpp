@@ -19,6 +19,7 @@ struct LiquidGrid {                        // of the map's texels
 void sum_particles(LiquidScratch& scratch, const Sea& sea, const LiquidGrid& grid, std::size_t liquids,
                    InstructionSet set);
 void find_sharp(LiquidScratch& scratch, const LiquidGrid& grid, InstructionSet set);
+void fill_gaps(LiquidScratch& scratch, const LiquidGrid& grid, InstructionSet set);
 void find_surface(LiquidScratch& scratch, const LiquidGrid& grid, InstructionSet set);
 
 // liquid_solids.cpp: what bounds it, and what swims in it.

@@ -63,20 +63,26 @@ static EVIL_INLINE Floats darkness_of(const draw::LiquidShade& row, Floats colum
     return high + (between(below) - high) * down;
 }
 
-// Where liquids meet, each has its share of the colours.
+// Where liquids meet, the one that there is more of takes nearly all: their border is as sharp as a surface.
 static EVIL_INLINE void put_colours(const draw::LiquidShade& row, int i, Floats darkness) {
     const Ints tone = round_to_int(darkness * static_cast<float>(draw::kTones - 1));
     const Floats per = Floats(1.0f) / max(load(row.weight + i), 1e-4f);
-    Floats sums[6], first(1.0f);
+    const auto weighty = [](Floats share) { return share * share * share * share; };
+    Floats sums[6], first(1.0f), all(0.0f);
     for (Floats& sum : sums) sum = 0.0f;
+    const auto add = [&](int kind, Floats weight) {
+        all += weight;
+        for (int c = 0; c < 6; ++c) sums[c] += gather(row.tables + (6 * kind + c) * draw::kTones, tone) * weight;
+    };
     for (int kind = 1; kind < row.kinds; ++kind) {
         const Floats share = clamp(load(row.shares[kind] + i) * per, 0.0f, 1.0f);
         if (!any(share > 0.0f)) continue;
         first -= share;
-        for (int c = 0; c < 6; ++c) sums[c] += gather(row.tables + (6 * kind + c) * draw::kTones, tone) * share;
+        add(kind, weighty(share));
     }
-    first = max(first, 0.0f);
-    for (int c = 0; c < 6; ++c) store(row.to[4 + c] + i, sums[c] + gather(row.tables + c * draw::kTones, tone) * first);
+    add(0, weighty(max(first, 0.0f)));
+    const Floats whole = Floats(1.0f) / all;
+    for (int c = 0; c < 6; ++c) store(row.to[4 + c] + i, sums[c] * whole);
 }
 
 void shade_liquid_wide(const draw::LiquidShade& row, int first_texel, int count) noexcept {
