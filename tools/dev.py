@@ -10,6 +10,7 @@ python tools/dev.py docs       build the documentation's site into site/, with w
 python tools/dev.py release    source and wheel into dist/, and the wheel tried where there is no compiler
 python tools/dev.py sanitize   run the core's tests with AddressSanitizer and UndefinedBehaviorSanitizer; with --thread,
                                those of threads with ThreadSanitizer
+python tools/dev.py watched    compile what sanitize and fuzz run, and run nothing
 python tools/dev.py exact      compare the scenes' bits with builds without optimisation, for ARM64 and by Clang
 python tools/dev.py fuzz       let libFuzzer play with the core, for a minute or the seconds that follow; needs clang
 """
@@ -133,16 +134,22 @@ def lint() -> None:
     check_stubs()
 
 
+def compile_fuzzer() -> bool:
+    """False: there is no Clang."""
+    clang = shutil.which("clang++")
+    if clang is not None:
+        make_target(
+            *(FUZZED, "world_fuzzer", f"-DCMAKE_CXX_COMPILER={clang}", "-DCMAKE_BUILD_TYPE=None"),
+            *("-DCMAKE_CXX_FLAGS=-O1", "-DEVIL_BINDINGS=OFF", "-DEVIL_FUZZ=ON"),
+        )
+    return clang is not None
+
+
 def fuzz(seconds: str = "60") -> None:
     """What it finds stays in build/fuzz/corpus, where the next run goes on; an input that fails, in build/fuzz."""
-    clang = shutil.which("clang++")
-    if clang is None:
+    if not compile_fuzzer():
         print("fuzz: there is no clang++, so libFuzzer cannot play: apt-get install clang")
         return
-    make_target(
-        *(FUZZED, "world_fuzzer", f"-DCMAKE_CXX_COMPILER={clang}", "-DCMAKE_BUILD_TYPE=None"),
-        *("-DCMAKE_CXX_FLAGS=-O1", "-DEVIL_BINDINGS=OFF", "-DEVIL_FUZZ=ON"),
-    )
     corpus = FUZZED / "corpus"
     corpus.mkdir(exist_ok=True)
     sys.path.insert(0, str(ROOT / "tests" / "fuzz"))
@@ -202,15 +209,25 @@ def make_target(folder: Path, target: str, *options: str) -> None:
     run(tool("cmake"), "--build", folder, "--target", target)
 
 
-def sanitize(*arguments: str) -> None:
-    """A second copy of the package, beside the build, holds the watched module: the normal one stays as it is."""
-    watch, arguments = (THREADS, arguments[1:]) if arguments[:1] == ("--thread",) else (MEMORY, arguments)
-    libraries = compile_core(
+def compile_watched(watch: Watch) -> list[Path]:
+    return compile_core(
         watch.folder,
         f"-DEVIL_SANITIZE={watch.flags}",
         "-DCMAKE_BUILD_TYPE=None",
         "-DCMAKE_CXX_FLAGS=-O1 -D_GLIBCXX_ASSERTIONS -fno-var-tracking",
     )
+
+
+def watched() -> None:
+    """Compile what `sanitize` and `fuzz` run, and run nothing."""
+    compile_watched(MEMORY)
+    compile_fuzzer()
+
+
+def sanitize(*arguments: str) -> None:
+    """A second copy of the package, beside the build, holds the watched module: the normal one stays as it is."""
+    watch, arguments = (THREADS, arguments[1:]) if arguments[:1] == ("--thread",) else (MEMORY, arguments)
+    libraries = compile_watched(watch)
     site = watch.folder / "site"
     shutil.rmtree(site, ignore_errors=True)
     shutil.copytree(PACKAGE, site / "evilengine", ignore=shutil.ignore_patterns("*.so", "*.pyd", "__pycache__"))
@@ -287,6 +304,7 @@ CHORES = {
     "lint": lint,
     "docs": docs,
     "release": release,
+    "watched": watched,
     "sanitize": sanitize,
     "fuzz": fuzz,
     "exact": exact,
