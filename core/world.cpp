@@ -8,8 +8,8 @@ void World::step(float dt, int substeps) {
     move_characters(*this, dt);
     place_pieces(placed, shapes, bodies, dt, instruction_set, threads);
     // approximate: whose bounds meet
-    find_pairs(broad, placed, contacts.scratch.pairs, instruction_set, threads);
-    match_pairs(contacts, shapes, joints);
+    bool changed = find_pairs(broad, placed, contacts.scratch.pairs, instruction_set, threads);
+    match_pairs(contacts, shapes, joints, changed);
     update_manifolds(contacts, placed, shapes, bodies, dt, instruction_set, threads); // exact: SAT, contact points
     drop_ghosts(seams, contacts, shapes, bodies);
     stir_media(forces, bodies, shapes);

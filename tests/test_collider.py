@@ -108,6 +108,30 @@ def test_a_thousand_bodies_in_one_point_are_half_a_million_pairs() -> None:
     assert len(_core.pairs_of_pieces(world._core, STEP)) == 1000 * 999 // 2
 
 
+@pytest.mark.parametrize("haste", [0.05, 1.0])
+@pytest.mark.parametrize("sizes", [(0.3, 0.6), (0.05, 20.0)])
+@pytest.mark.parametrize("instructions", _core.instruction_sets())
+def test_pairs_that_are_kept_over_steps_are_those_that_are_found_anew(
+    instructions: str, sizes: tuple[float, float], haste: float
+) -> None:
+    world = crowd(2, sizes=sizes, bodies=120)
+    world._core.instruction_set = instructions
+    world.add(evil.Rectangle(30, 0.5), at=(5, 5), angle=0.7, kind="static")
+    for body in world.bodies:
+        if body.kind != "static":
+            body.velocity, body.angular_velocity = haste * body.velocity, haste * body.angular_velocity
+    movers = [body for body in world.bodies if body.kind == "dynamic"]
+    for step in range(90):
+        if step % 30 == 10:  # what changes by hand is seen at once, too
+            movers.pop().destroy()
+            movers[step].position = (3.0, 3.0)
+            movers[step + 1].kind = "static"
+            world.add(evil.Circle(0.4), at=(4, 4))
+        anew = _core.pairs_of_pieces(world._core, STEP)
+        world.step(STEP)
+        assert [(row[0], row[1]) for row in _core.manifolds_of_pairs(world._core, STEP, True)] == anew
+
+
 @pytest.mark.parametrize("scene", ["pyramid", "tumbler", "pile", "crowd"])
 def test_manifolds_of_eight_pairs_at_once_are_those_of_one_pair_at_a_time(scene: str) -> None:
     step, world = stage_of(scene)

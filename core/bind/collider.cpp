@@ -25,8 +25,9 @@ std::vector<PieceBounds> bounds(World& w, float dt) {
 
 std::vector<PiecePair> pairs(World& w, float dt) {
     place_pieces(w.placed, w.shapes, w.bodies, dt, w.instruction_set, w.threads);
+    BroadPhase broad; // the world's own goes with the list of its contacts
     std::vector<Pair> found;
-    find_pairs(w.broad, w.placed, found, w.instruction_set, w.threads);
+    find_pairs(broad, w.placed, found, w.instruction_set, w.threads);
     std::vector<PiecePair> list;
     for (Pair p : found) list.emplace_back(p.a, p.b);
     return list;

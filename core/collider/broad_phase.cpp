@@ -168,27 +168,6 @@ std::size_t find_in_chunks(BroadPhase& broad, std::size_t next, std::size_t coun
     return next + chunks;
 }
 
-// Does one side of the form keep the bounds of the other piece away, on the form's way through the step?
-bool form_keeps_apart(const Placements& placed, std::uint32_t large, std::uint32_t small) {
-    const PlacedForm& f = placed.forms[large];
-    Vec2 middle = f.origin + f.arm + 0.5f * f.path;
-    Vec2 low{placed.low_x[small], placed.low_y[small]}, high{placed.high_x[small], placed.high_y[small]};
-    Vec2 apart = 0.5f * (low + high) - middle, size = 0.5f * (high - low);
-    Vec2 away = unrotate(f.turn, apart), path = unrotate(f.turn, 0.5f * f.path);
-    float c = std::abs(f.turn.c), s = std::abs(f.turn.s), thick = f.radius + f.grow;
-    return std::abs(away.x) > f.half.x + thick + std::abs(path.x) + c * size.x + s * size.y ||
-           std::abs(away.y) > f.half.y + thick + std::abs(path.y) + s * size.x + c * size.y;
-}
-
-// A long wall aslant has bounds that hold half the world: there its own sides tell more.
-bool kept_apart(const Placements& placed, std::uint64_t pair) {
-    auto a = static_cast<std::uint32_t>(pair >> 32), b = static_cast<std::uint32_t>(pair);
-    constexpr std::int32_t kMuchLarger = 2; // octaves
-    std::int32_t larger = placed.octaves[a] - placed.octaves[b];
-    return (larger >= kMuchLarger && form_keeps_apart(placed, a, b)) ||
-           (larger <= -kMuchLarger && form_keeps_apart(placed, b, a));
-}
-
 std::size_t find_within(BroadPhase& broad, InstructionSet set, Threads& threads) {
     auto within = EVIL_PICK(set, pair_within);
     std::size_t next = 0;
@@ -224,7 +203,9 @@ std::size_t find_across(BroadPhase& broad, std::size_t next, InstructionSet set,
 void drop_kept_apart(BroadPhase& broad, const Placements& placed, std::size_t first, std::size_t last) {
     for (std::size_t chunk = first; chunk < last; ++chunk) {
         auto begin = broad.found[chunk].begin(), end = begin + static_cast<std::ptrdiff_t>(broad.found_counts[chunk]);
-        end = std::remove_if(begin, end, [&](std::uint64_t pair) { return kept_apart(placed, pair); });
+        end = std::remove_if(begin, end, [&](std::uint64_t pair) {
+            return kept_apart(placed, static_cast<std::uint32_t>(pair >> 32), static_cast<std::uint32_t>(pair));
+        });
         broad.found_counts[chunk] = static_cast<std::size_t>(end - begin);
     }
 }
@@ -253,10 +234,12 @@ void sort_pairs(BroadPhase& broad, std::size_t chunks, std::size_t pieces, std::
     for (Pair pair : broad.sorted) pairs[by_first[pair.a]++] = pair;
 }
 
-} // namespace
+// How many chunks of pairs have been found, those within the grids first.
+struct Chunks {
+    std::size_t within, all;
+};
 
-void find_pairs(BroadPhase& broad, const Placements& placed, std::vector<Pair>& pairs, InstructionSet set,
-                Threads& threads) {
+Chunks find_overlaps(BroadPhase& broad, const Placements& placed, InstructionSet set, Threads& threads) {
     deal_out(broad, placed);
     for (std::size_t g = 0; g < broad.used; ++g) {
         Grid& grid = broad.grids[g];
@@ -265,9 +248,29 @@ void find_pairs(BroadPhase& broad, const Placements& placed, std::vector<Pair>& 
         sort_items(broad, static_cast<std::uint64_t>(grid.rows) << grid.column_bits);
         fill(grid, placed, broad.items);
     }
-    std::size_t within = find_within(broad, set, threads), all = find_across(broad, within, set, threads);
-    drop_kept_apart(broad, placed, within, all);
-    sort_pairs(broad, all, placed.octaves.size(), pairs);
+    std::size_t within = find_within(broad, set, threads);
+    return {within, find_across(broad, within, set, threads)};
+}
+
+} // namespace
+
+bool find_pairs(BroadPhase& broad, const Placements& placed, std::vector<Pair>& pairs, InstructionSet set,
+                Threads& threads) {
+    Candidates& near = broad.candidates;
+    std::size_t pieces = placed.octaves.size();
+    if (still_good(near, placed, set, threads)) return meeting_pairs(near, placed, pairs, set, threads);
+    if (!worth_keeping(near)) {
+        Chunks chunks = find_overlaps(broad, placed, set, threads);
+        drop_kept_apart(broad, placed, chunks.within, chunks.all);
+        sort_pairs(broad, chunks.all, pieces, pairs);
+        return true;
+    }
+    Chunks chunks = find_overlaps(broad, grow(near, placed), set, threads);
+    sort_pairs(broad, chunks.all, pieces, pairs);
+    keep(near, pairs);
+    (void)still_good(near, placed, set, threads);
+    (void)meeting_pairs(near, placed, pairs, set, threads);
+    return true;
 }
 
 } // namespace evil

@@ -1,5 +1,6 @@
 #pragma once
 // Approximate phase (SPEC C2): which pieces' bounds overlap.
+#include "collider/candidates.hpp"
 #include "collider/contact.hpp"
 #include "collider/placed.hpp"
 #include <span>
@@ -34,6 +35,7 @@ struct Grid {
 // Sizes differ, so there are a few grids, each for bounds within a factor of four. Which grids there are changes how long
 // it takes to find the pairs, not which pairs are found.
 struct BroadPhase { // Scratch
+    Candidates candidates;
     struct Item {
         std::uint64_t cell;
         std::uint32_t piece;
@@ -49,10 +51,10 @@ struct BroadPhase { // Scratch
     std::vector<Pair> sorted;                       // by the second piece
 };
 
-// All pairs of pieces whose bounds overlap, at least one of a dynamic body or a sensor, of different
-// bodies. Sorted. Pairs of very
-// different size are tested along the sides of the larger form as well.
-void find_pairs(BroadPhase& broad, const Placements& placed, std::vector<Pair>& pairs, InstructionSet set,
+// All pairs of pieces whose bounds overlap, at least one of a dynamic body or a sensor, of different bodies. Sorted. Pairs
+// of very different size are tested along the sides of the larger form as well. False: they are as the last call left them
+// in `pairs`, which is the same list in all calls.
+bool find_pairs(BroadPhase& broad, const Placements& placed, std::vector<Pair>& pairs, InstructionSet set,
                 Threads& threads);
 
 } // namespace evil

@@ -29,13 +29,14 @@ void drop(Contacts& contacts, const Contact& c) {
 
 } // namespace
 
-void match_pairs(Contacts& contacts, const Shapes& shapes, Joints& joints) {
+void match_pairs(Contacts& contacts, const Shapes& shapes, Joints& joints, bool changed) {
     auto& s = contacts.scratch;
     s.parted.clear();
     bool tied = joints.matched != joints.next_serial; // then what touched may have to part
     joints.matched = joints.next_serial;
     bool all_had_rows = s.matched_rows == contacts.rows.size() && s.matched_rows == s.pairs.size();
-    if (!tied && all_had_rows && s.matched == s.pairs) return;
+    bool as_matched = s.matched.size() == s.pairs.size() && (!changed || s.matched == s.pairs);
+    if (!tied && all_had_rows && as_matched) return;
     auto apart = [&](Pair pair) { return kept_apart(joints, shapes.pieces[pair.a].body, shapes.pieces[pair.b].body); };
     auto meet = [&](Pair pair) {
         return !apart(pair) && may_meet(traits_of(pair.a, shapes), traits_of(pair.b, shapes));
@@ -58,7 +59,7 @@ void match_pairs(Contacts& contacts, const Shapes& shapes, Joints& joints) {
     }
     while (old != end) drop(contacts, *old++);
     std::swap(contacts.rows, s.rows);
-    std::swap(s.matched, s.pairs);
+    s.matched = s.pairs;
     s.matched_rows = contacts.rows.size();
 }
 

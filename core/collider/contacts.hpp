@@ -6,7 +6,8 @@
 namespace evil {
 
 // Keep the contacts whose pair is still there, drop the others, add new ones; none between bodies that a joint keeps apart.
-void match_pairs(Contacts& contacts, const Shapes& shapes, Joints& joints);
+// `changed`: the pairs may be others than in the last step.
+void match_pairs(Contacts& contacts, const Shapes& shapes, Joints& joints, bool changed);
 
 // Manifolds where the bodies now are; each point takes over the impulses of the point with its id in the last step.
 void update_manifolds(Contacts& contacts, const Placements& placed, const Shapes& shapes, const Bodies& bodies,

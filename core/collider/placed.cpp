@@ -32,7 +32,29 @@ void note_body(Placements& placed, const Shapes& shapes, const Bodies& bodies, s
                                   (seeks ? kSeeks : 0u) | (shapes.neighboured[p] != 0 ? kNeighboured : 0u));
 }
 
+constexpr std::int32_t kMuchLarger = 2; // octaves
+
+bool form_keeps_apart(const Placements& placed, std::uint32_t large, std::uint32_t small) {
+    const PlacedForm& f = placed.forms[large];
+    Vec2 middle = f.origin + f.arm + 0.5f * f.path;
+    Vec2 low{placed.low_x[small], placed.low_y[small]}, high{placed.high_x[small], placed.high_y[small]};
+    Vec2 apart = 0.5f * (low + high) - middle, size = 0.5f * (high - low);
+    Vec2 away = unrotate(f.turn, apart), path = unrotate(f.turn, 0.5f * f.path);
+    float c = std::abs(f.turn.c), s = std::abs(f.turn.s), thick = f.radius + f.grow;
+    return std::abs(away.x) > f.half.x + thick + std::abs(path.x) + c * size.x + s * size.y ||
+           std::abs(away.y) > f.half.y + thick + std::abs(path.y) + s * size.x + c * size.y;
+}
+
 } // namespace
+
+bool much_larger(const Placements& placed, std::uint32_t a, std::uint32_t b) {
+    return placed.octaves[a] - placed.octaves[b] >= kMuchLarger;
+}
+
+bool kept_apart(const Placements& placed, std::uint32_t a, std::uint32_t b) {
+    return (much_larger(placed, a, b) && form_keeps_apart(placed, a, b)) ||
+           (much_larger(placed, b, a) && form_keeps_apart(placed, b, a));
+}
 
 void place_pieces(Placements& placed, const Shapes& shapes, const Bodies& bodies, float dt, InstructionSet set,
                   Threads& threads) {

@@ -41,6 +41,11 @@ inline constexpr std::uint8_t kSeeks = 0x40;       // of a dynamic body, or a se
 inline constexpr std::uint8_t kNeighboured = 0x20; // Shapes::neighboured
 inline constexpr std::uint8_t kFormKind = 0x0f;
 
+// A long wall aslant has bounds that hold half the world: of pieces of very different size, does one side of the larger one's
+// form keep the bounds of the other away, on its way through the step?
+bool much_larger(const Placements& placed, std::uint32_t a, std::uint32_t b);
+bool kept_apart(const Placements& placed, std::uint32_t a, std::uint32_t b);
+
 void place_pieces(Placements& placed, const Shapes& shapes, const Bodies& bodies, float dt, InstructionSet set,
                   Threads& threads);
 

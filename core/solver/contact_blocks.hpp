@@ -15,9 +15,10 @@ struct alignas(32) SolverBody {
 };
 static_assert(sizeof(SolverBody) == 32);
 
-// What a substep does to a row but for contacts: velocity * keep + gain; and what that made of it. Lanes as in SolverBody.
-struct alignas(32) ForceStep {
-    float keep[8] = {1, 1, 1, 1, 1, 1, 1, 1}, gain[8] = {}, pushed[8] = {};
+// What a substep does to a row but for contacts: velocity * keep + gain; and what that made of it. Lanes as the first four
+// of SolverBody.
+struct ForceStep {
+    float keep[4] = {1, 1, 1, 1}, gain[4] = {}, pushed[4] = {};
 };
 
 // Eight contacts. Arms lead from a centre of mass to the contact point at the start of the step, in the contact's own frame:

@@ -1,5 +1,6 @@
 // Rows of bodies moved on, and contacts brought into blocks and back.
 #include "collider/contact.hpp"
+#include "math/wide_fours.hpp"
 #include "math/wide_rows.hpp"
 #include "solver/contacts_wide.hpp"
 #include <cstddef>
@@ -156,13 +157,18 @@ EVIL_INLINE void store_block(const ContactBlock& k, const BlockSource& from, Con
 } // namespace
 
 void push_bodies(SolverBody* bodies, ForceStep* force_steps, std::size_t count, bool warm) noexcept {
-    Floats most = load(kMost), zero = 0.0f;
-    Mask speeds = warm ? first_lanes(3) : first_lanes(0);
-    for (std::size_t i = 0; i < count; ++i) {
-        Floats row = load(&bodies[i].vx), by_contacts = select(speeds, row - load(force_steps[i].pushed), zero);
-        Floats pushed = within(row * load(force_steps[i].keep) + load(force_steps[i].gain), most); // (4.2), (4.5)
-        store(force_steps[i].pushed, pushed);
-        store(&bodies[i].vx, within(pushed + by_contacts, most));
+    Floats most = load_fours(kMost, kMost), zero = 0.0f, ones = 1.0f;
+    constexpr float kSpeeds[4] = {1, 1, 1, 0};
+    Mask speeds = warm ? load_fours(kSpeeds, kSpeeds) == ones : first_lanes(0);
+    for (std::size_t i = 0; i < count; i += 2) {
+        std::size_t next = i + 1 < count ? i + 1 : i; // two at once; the last may be alone
+        ForceStep &f = force_steps[i], &g = force_steps[next];
+        Floats row = load_fours(&bodies[i].vx, &bodies[next].vx);
+        Floats by_contacts = select(speeds, row - load_fours(f.pushed, g.pushed), zero);
+        Floats pushed = row * load_fours(f.keep, g.keep) + load_fours(f.gain, g.gain); // (4.2), (4.5)
+        pushed = within(pushed, most);
+        store_fours(f.pushed, g.pushed, pushed);
+        store_fours(&bodies[i].vx, &bodies[next].vx, within(pushed + by_contacts, most));
     }
 }
 
