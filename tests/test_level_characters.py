@@ -187,7 +187,7 @@ def test_anybody_enters_and_tags_stand_for_all() -> None:
         ("new character hero 1 1;", "a character cannot be as wide as it is high | let it be a little higher"),
         ("new character hero;",
          "a character takes 2 numbers, its width and height, or 4 with its place (width, height, "
-         "x, y); there is none | as in: drive hero;"),
+         "x, y); there is none | as in: new character hero 0.6 1.5"),
         ("new character hero 1 2 physicsOn;", "a character has no physicsOn | it takes at,"),
         ("new character hero 1 2 velocity 1 0;",
          "a new character stands | throw it later, as in: set hero velocity 0 12;"),
@@ -220,7 +220,7 @@ def test_anybody_enters_and_tags_stand_for_all() -> None:
         ("on exit goal { }", "there is no event 'exit' | did you mean 'on leave'?"),
         ("steer hero;", "there is no statement 'steer' | did you mean 'drive'?"),
         ("new ladder 1;", "a ladder takes 2 numbers, its width and height, or 4 with its place (width, height, x, y); "
-         "here is 1 | as in: draw rectangle"),
+         "here is 1 | as in: new ladder 0.8 4"),
         ("new circle ball 1; new ladder 1 1 for ball;", "'ball' is a thing, and this needs a character | "),
     ],
 )  # fmt: skip

@@ -17,7 +17,8 @@ from evilengine.world.world import World
 LEVEL = """
 new smoke air 8 6 at 0 3 cells 32 openTop openLeft buoyancy 0.8 vorticity 2 viscosity 0.001 diffusion 0.002 cooling 0.4
     vanishing 0.1 burning 2 heat 1.5 soot 0.2 weight 0.3 breeze 0.5 0 breezePull 1 slippery fine colour "slategrey"
-    shades "#0000" "#6668" "#ddde" fireShades "black" "indigo" "white" opacity 3 glow 2 lightRadius 5 unlit layer 2;
+    shades "#0000" "#6668" "#ddde" fireShades "black" "indigo" "white" opacity 3 glow 2 lightRadius 5 shadow 0.5
+    unlit layer 2;
 new rectangle floor 9 1 at 0 -0.5;
 new circle lamp 0.2 at 1 2.5 physicsOn gravityScale 0;
 new source flame in air at 0 0.5 radius 0.3 fuel 3 temperature 1 rate 0.5 velocity 0 1;
@@ -49,7 +50,7 @@ def test_every_word_reaches_the_engine(tmp_path: Path) -> None:
     assert [air.viscosity, air.diffusion, air.wind_pull, *air.wind] == pytest.approx([0.001, 0.002, 1, 0.5, 0])
     (look,) = game.scene.gases.state()
     assert (len(look["ramp"]), len(look["fire"])) == (3, 3)
-    assert (look["opacity"], look["glow"], look["light_radius"]) == (3, 2, 5)
+    assert (look["opacity"], look["glow"], look["light_radius"], look["shadow"]) == (3, 2, 5, 0.5)
     assert (flame.fuel, flame.temperature, flame.rate, flame.velocity) == (3, 1, 0.5, (0, 1))
     assert (tail.body, tail.running, tail.rate) == (game.levels[0]["lamp"], False, 2)
 
@@ -139,6 +140,7 @@ def test_a_level_that_makes_smoke_for_ever_stays_playable(tmp_path: Path) -> Non
     ("text", "words"),
     [
         ("new smoke;", "a smoke takes 2 numbers"),
+        ("new smoke 4;", "as in: new smoke air 8 6"),
         ("new smoke 4 4 cells 1;", "cells is from 2 to 1024"),
         ("new smoke 4 4 cells 8.5;", "whole number"),
         ("new smoke 4 4 wind 1 0;", "did you mean 'breeze'?"),
@@ -160,7 +162,9 @@ def test_a_level_that_makes_smoke_for_ever_stays_playable(tmp_path: Path) -> Non
         ("new smoke air 4 4; new source in air radius 1 angle 3;", "has no angle"),
         ("new smoke air 4 4; new source 3 in air radius 1;", "no number here"),
         ("new smoke air 4 4; new source s in air radius 1; set s radius 2;", "a source has no radius to change"),
+        ("new smoke air 4 4; new source s in air radius 1; set s radius 2;", "of a source, set changes rate, temp"),
         ("new smoke air 4 4; set air cells 2;", "cannot be changed"),
+        ("new smoke air 4 4; set air cells 2;", "of a smoke, set changes buoyancy"),
         ("new smoke air 4 4; new source s in air radius 1; set s idle;", "idle is on or off"),
         ("new smoke air 4 4; impulse air 1 0;", "'air' is a smoke, and this needs a thing"),
         ("new smoke air 4 4; set air rate 3;", "a smoke has no rate to change"),

@@ -148,7 +148,7 @@ def test_a_world_alone_has_joints_too() -> None:
         ("new weld from wall to door breaks 0;", "breaks cannot be 0 | breaks is more than 0 and at most 1000000000"),
         ("new rope from wall to door length -1;", "length cannot be -1 | length is from 0 to 10000"),
         ("new hinge from wall to door at 0 0 from wall;", "from is said twice | keep one of them"),
-        ("new hinge pin from wall to door at 0 0; set pin least 3;", "least cannot be changed later | of a thing"),
+        ("new hinge pin from wall to door at 0 0; set pin least 3;", "least cannot be changed later | of a hinge, set"),
         ("new hinge pin from wall to door at 0 0; set pin slideSpeed 3;", "a hinge has no slideSpeed to change | "),
         ("new hinge pin from wall to door at 0 0; impulse pin 0 5;", "'pin' is a hinge, and this needs a thing | "),
         ("new hinge pin from wall to door at 0 0; new weld from pin to door;",

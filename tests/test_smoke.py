@@ -242,6 +242,8 @@ def test_points_are_sampled_one_by_one_or_many_at_once() -> None:
         ({"viscosity": math.nan}, "viscosity"),
         ({"buoyancy": math.inf}, "buoyancy"),
         ({"wind": (math.nan, 0)}, "wind"),
+        ({"open_sides": 3}, "open_sides=3 must be sides, such as 'top'"),
+        ({"open_sides": None}, "open_sides=None must be sides"),
         ({"open_sides": "lid"}, "open_sides='lid' must be one of 'left', 'right', 'bottom', 'top'"),
         ({"quality": "hihg"}, "did you mean 'high'"),
         ({"method": "flip"}, "method='flip' must be one of 'staggered', 'stam'"),

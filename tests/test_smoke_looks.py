@@ -170,6 +170,7 @@ def test_a_saved_game_shows_the_same_smoke(tmp_path: Path, monkeypatch: pytest.M
         ({"fire": ["red", "hot"]}, "fire"),
         ({"opacitty": 1}, "did you mean 'opacity'"),
         ({"layer": 0.5}, "layer"),
+        ({"lit": "no"}, "lit='no' must be True or False"),
     ],
 )
 def test_looks_that_make_no_sense_leave_nothing_behind(given: dict[str, Any], message: str) -> None:

@@ -336,6 +336,7 @@ def test_damaged_looks_are_refused(damage: dict[str, Any]) -> None:
         ({"rim": 2}, "rim=2"),
         ({"waves": -1}, "waves=-1"),
         ({"foam": 11}, "foam=11"),
+        ({"lit": 1}, "lit=1 must be True or False"),
         ({"ramp": ["red"]}, "two or more colours"),
         ({"ramp": "red"}, "two or more colours"),
         ({"refracton": 1}, "did you mean 'refraction'"),

@@ -10,6 +10,7 @@ from evilengine.values.checks import number
 from evilengine.values.colour import Colour, to_colour
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
 from evilengine.values.image import Image
+from evilengine.world.arguments import flag
 from evilengine.world.shapes import Rectangle
 from evilengine.world.smoke import Smoke
 
@@ -64,6 +65,7 @@ class Look:
         self.glow = number(row["glow"], owner, "glow", least=0.0, most=16.0)
         self.radius = number(row["light_radius"], owner, "light_radius", least=0.0, most=1e4)
         self.shadow = number(row.get("shadow", LOOKS["shadow"]), owner, "shadow", least=0.0, most=100.0)
+        self.lit = flag(row.get("lit", LOOKS["lit"]), owner, "lit")
         self.saved_lights: list[list[int]] = [[int(source), int(light)] for source, light in row.get("lights", ())]
         self.lights: dict[int, Light] = {}  # by the slot of the source whose fire it is
         self.step = -1
@@ -111,7 +113,7 @@ class Gases:
         for kind, blend in zip(KINDS, ("normal", "add"), strict=True):
             if kind == "fire" and look.glow == 0.0:
                 continue
-            lit = bool(row["lit"]) and kind == "smoke"
+            lit = look.lit and kind == "smoke"
             drawing = self._scene.add(shape, at=at, colour="white", blend=blend, lit=lit, layer=row["layer"])
             texture = look.textures[KINDS.index(kind)]
             self._scene._texture_names[texture] = name_of(kind, smoke.slot)

@@ -13,6 +13,7 @@ from evilengine.scene.gases import to_ramp
 from evilengine.values.checks import number
 from evilengine.values.colour import BLACK, WHITE, Colour
 from evilengine.values.tick import STEP
+from evilengine.world.arguments import flag
 from evilengine.world.water import Water
 
 if TYPE_CHECKING:
@@ -48,7 +49,7 @@ class WaterLook:
         self._core.refraction = number(row["refraction"], owner, "refraction", least=0.0, most=10.0)
         self._core.rim = number(row["rim"], owner, "rim", least=0.0, most=1.0)
         self._core.waves = number(row["waves"], owner, "waves", least=0.0, most=10.0)
-        self._core.lit = bool(row["lit"])
+        self._core.lit = flag(row["lit"], owner, "lit")
 
     def _collect(self, scene: Scene, view: Matrix6, alpha: float, screen: tuple[int, int], points: float) -> None:
         world = scene.world

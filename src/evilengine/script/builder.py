@@ -33,7 +33,7 @@ from evilengine.script.syntax import (
 )
 from evilengine.script.waters import LIQUID, WATERS
 from evilengine.script.word import ANY, LANGUAGE_VERSION, MAX_ROUNDS, MAX_WORK, Range
-from evilengine.script.words import CHARACTER_EVENTS, MEETINGS, property_of
+from evilengine.script.words import CHARACTER_EVENTS, MEETINGS, changes_of, property_of
 from evilengine.values import level as values
 from evilengine.values.level import Called, Command, Number, Option, Place, Tagged, Value
 from evilengine.values.tick import FASTEST, SLOWEST
@@ -276,9 +276,8 @@ class Builder(ThingBuilder):
             if entry is None:
                 return []
         if entry is None or not entry.settable:
-            self.error(
-                "wrong-property", f"a {family} has no {statement.setting.word} to change", statement.setting.place
-            )
+            message = f"a {family} has no {statement.setting.word} to change"
+            self.error("wrong-property", message, statement.setting.place, changes_of(family))
             return []
         if entry.takes == "flag":
             (switch,) = statement.setting.values

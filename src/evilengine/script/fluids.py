@@ -98,6 +98,8 @@ FLUID_PROPERTIES: tuple[Property, ...] = (
         "glow 2", range=Range(least=0.0, most=16.0), meant=("brightness", "intensity", "shine")),
     _smoke("lightRadius", "length", "How far its fire lights what is round it; 8 metres unless said, 0 for not at all.",
         "lightRadius 4", option="light_radius", range=Range(least=0.0, most=10_000.0), meant=("radius", "reach")),
+    _smoke("shadow", "number", "How much of a lamp's light a metre of a smoke of 1 takes away; 1 unless said, 0 for no "
+        "shadow.", "shadow 0.5", range=Range(least=0.0, most=100.0), meant=("shadows", "shade", "darkness")),
     _smoke("unlit", "flag", "Lights do not fall on it: it is as bright in the dark.", "unlit", option="lit",
         meant=("unshaded", "flat")),
     _smoke("layer", "whole", "It lies over the things of this layer.", "layer 2",

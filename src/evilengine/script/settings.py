@@ -14,6 +14,7 @@ from evilengine.script.words import (
     PROPERTIES,
     PROPERTY_WORDS,
     RESERVED,
+    changes_of,
     near,
     near_property,
     near_statement,
@@ -22,7 +23,6 @@ from evilengine.script.words import (
 )
 from evilengine.values.level import Place
 
-_CHANGES = f"of a thing, set changes {', '.join(each.word for each in properties_of('body') if each.settable)}"
 _SWITCHES = {"on": True, "off": False}
 _TRUTHS = {"true": "on", "false": "off", "yes": "on", "no": "off", "1": "on", "0": "off"}
 
@@ -145,12 +145,12 @@ class Settings(Expressions):
         entry = changeable.get(word) or next((each for each in changeable.values() if word in each.spellings), None)
         if entry is None:
             if word in PROPERTY_WORDS:
-                self.error("wrong-property", f"{word} cannot be changed later", token, _CHANGES)
+                self.error("wrong-property", f"{word} cannot be changed later", token, _changes_near(word))
                 self.advance()
                 raise Skip
             suggestion = near(word, changeable) or near_property(word, "body")
             entry = changeable.get(suggestion or "")
-            hint = f"did you mean '{suggestion}'?" if entry else _CHANGES
+            hint = f"did you mean '{suggestion}'?" if entry else changes_of("body")
             self.error("unknown-property", f"there is no property {shown(token)}", token, hint)
             if entry is None:
                 self.advance()
@@ -364,6 +364,12 @@ class Settings(Expressions):
 @functools.lru_cache(maxsize=1000)
 def _near_any(word: str) -> str | None:
     return near(word, PROPERTY_WORDS)
+
+
+def _changes_near(word: str) -> str:
+    """What `set` changes of what has this property: of a thing, if that has it."""
+    families = [family for each in PROPERTIES if each.word == word for family in each.families]
+    return next(filter(None, map(changes_of, families)), "") if "body" not in families else changes_of("body")
 
 
 def one_of(words: Iterable[str]) -> str:

@@ -184,7 +184,8 @@ class Things(Settings, ABC):
             form += f", or {wanted + 2} with its place ({names.replace(' and ', ', ')}, x, y)"
         found = {0: "there is none"}.get(len(result), f"here {'is' if len(result) == 1 else 'are'} {len(result)}")
         where = self.span(start) if result else self.after_last()
-        example = kind.example.splitlines()[-1]
+        lines = kind.example.splitlines()
+        example = next((line for line in lines if line.split()[:2] == ["new", kind.word]), lines[-1])
         self.error("wrong-count", f"a {kind.word} takes {form}; {found}", where, f"as in: {example}")
         return tuple(result)
 

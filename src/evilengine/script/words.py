@@ -44,6 +44,16 @@ def properties_of(family: str) -> list[Property]:
     return [each for each in PROPERTIES if family in each.families]
 
 
+def changes_of(family: str) -> str:
+    """A hint: what `set` changes of something of this family.
+
+    >>> changes_of("liquid")
+    'of a liquid, set changes density, viscosity, surfaceTension, colour'
+    """
+    words = [each.word for each in properties_of(family) if each.settable]
+    return f"of a {'thing' if family == 'body' else family}, set changes {', '.join(words)}" if words else ""
+
+
 def takes(kind: Kind, entry: Property) -> bool:
     """Whether a property of its family is one of this kind's."""
     return entry.part != "shape" or entry.word in kind.shaped

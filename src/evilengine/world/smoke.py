@@ -33,6 +33,8 @@ class Source(_core.Source):
     `rate`, `fuel`, `temperature`, `velocity` and `running` may be changed at any time.
     """
 
+    __slots__ = ("__weakref__", "_world")
+
     def __init__(self, world: World, slot: int) -> None:
         super().__init__(world._core, slot)
         self._world = world
@@ -65,6 +67,8 @@ class Smoke(_core.Smoke):
     >>> smoke.mass > 0.3, smoke.velocity_at((0, 1)).y > 0.2
     (True, True)
     """
+
+    __slots__ = ("__weakref__", "_world")
 
     def __init__(self, world: World, slot: int) -> None:
         super().__init__(world._core, slot)
@@ -136,12 +140,12 @@ class Smoke(_core.Smoke):
     @known_keywords
     def density_at(self, points: Any) -> Any:
         """The density at a point, as a number; at each of a list or an array of points, as a list. 0 outside."""
-        return one_or_all(self._density_at, points)
+        return one_or_all(self._density_at, points, "Smoke.density_at")
 
     @known_keywords
     def temperature_at(self, points: Any) -> Any:
         """The temperature at a point, or at each of many."""
-        return one_or_all(self._temperature_at, points)
+        return one_or_all(self._temperature_at, points, "Smoke.temperature_at")
 
     @known_keywords
     def velocity_at(self, points: Any) -> Any:
@@ -151,7 +155,7 @@ class Smoke(_core.Smoke):
         >>> smoke.velocity_at((1, 1)), smoke.velocity_at([(1, 1), (9, 9)])
         (Vec2(0.0, 0.0), [Vec2(0.0, 0.0), Vec2(0.0, 0.0)])
         """
-        return one_or_all(self._velocity_at, points)
+        return one_or_all(self._velocity_at, points, "Smoke.velocity_at")
 
     @property
     def open_sides(self) -> tuple[str, ...]:
@@ -267,9 +271,13 @@ class Fluids:
         return tuple(Smoke(self, slot) for slot in _core.smoke_slots(self._core))  # type: ignore[arg-type]
 
 
-def one_or_all(ask: Callable[[Any], list[Any]], points: Any) -> Any:
+def one_or_all(ask: Callable[[Any], list[Any]], points: Any, me: str) -> Any:
     """What is asked of one point, or the list of it of many."""
-    one = isinstance(points, Sequence) and len(points) == 2 and not hasattr(points[0], "__len__")
+    if points is None:
+        raise ArgumentTypeError(f"{me}: points=None must be a point, (x, y), or a list or an array of points")
+    shape = getattr(points, "shape", None)  # of an array
+    pair = shape is None and isinstance(points, Sequence) and len(points) == 2
+    one = not hasattr(points[0], "__len__") if pair else shape == (2,)
     return ask([points])[0] if one else ask(points)
 
 
@@ -304,6 +312,10 @@ def sides(names: str | Iterable[str], me: str) -> tuple[bool, bool, bool, bool]:
     """Which sides are open: left, right, bottom, top."""
     if isinstance(names, str):
         names = SIDES if names == "all" else names.replace(",", " ").split()
+    if not isinstance(names, Iterable):
+        raise ArgumentTypeError(
+            f"{me}: open_sides={names!r} must be sides, such as 'top' or ('left', 'right'), or 'all'"
+        )
     chosen = {one_of(name, me, "open_sides", SIDES) for name in names}
     left, right, bottom, top = (side in chosen for side in SIDES)
     return left, right, bottom, top

@@ -38,6 +38,8 @@ class Stream(_core.WaterStream):
     `rate`, `velocity` and `running` may be changed at any time.
     """
 
+    __slots__ = ("__weakref__", "_world")
+
     def __init__(self, world: World, slot: int) -> None:
         super().__init__(world._core, slot)
         self._world = world
@@ -99,6 +101,8 @@ class Water(_core.Water):
     >>> round(water.volume, 3), water.is_in((2, 0.5)), water.is_in([(2, 0.5), (2, 2)])
     (4.0, True, [True, False])
     """
+
+    __slots__ = ("__weakref__", "_world")
 
     density, viscosity = of_first("density"), of_first("viscosity")
     surface_tension, colour = of_first("surface_tension"), of_first("colour")
@@ -277,17 +281,17 @@ class Water(_core.Water):
     @known_keywords
     def velocity_at(self, points: Any) -> Any:
         """The velocity (m/s) of the liquid at a point, as a Vec2, or at each of a list or an array of points."""
-        return one_or_all(self._velocity_at, points)
+        return one_or_all(self._velocity_at, points, "Water.velocity_at")
 
     @known_keywords
     def density_at(self, points: Any) -> Any:
         """The density (kg/m2) round a point, or round each of many: about that of the liquid there, 0 in the air."""
-        return one_or_all(self._density_at, points)
+        return one_or_all(self._density_at, points, "Water.density_at")
 
     @known_keywords
     def is_in(self, points: Any) -> Any:
         """Is there liquid at a point, or at each of many?"""
-        return one_or_all(self._is_in, points)
+        return one_or_all(self._is_in, points, "Water.is_in")
 
     @known_keywords
     def depth_at(self, points: Any) -> Any:
@@ -297,7 +301,7 @@ class Water(_core.Water):
         >>> round(water.depth_at((2, 0.5)), 1), water.depth_at((2, 3))
         (1.5, 0.0)
         """
-        return one_or_all(self._depth_at, points)
+        return one_or_all(self._depth_at, points, "Water.depth_at")
 
     def destroy(self) -> None:
         """Take it and its streams out of the world."""
