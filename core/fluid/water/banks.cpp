@@ -104,4 +104,9 @@ Bank bank_at(const Water& water, float x, float y) {
     return {d[low] + s * below + t * slope.y, normalised(slope), body};
 }
 
+Vec2 surface_near(const Water& water, int i, int j, std::uint32_t body) {
+    const Bank bank = bank_at(water, static_cast<float>(i) + 0.5f, static_cast<float>(j) + 0.5f);
+    return bank.body == body ? -std::clamp(bank.distance, -1.0f, 1.0f) * bank.away : Vec2{};
+}
+
 } // namespace evil::fluid

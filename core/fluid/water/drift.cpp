@@ -6,7 +6,6 @@
 namespace evil::fluid {
 namespace {
 
-constexpr float kRound = 6.2f;     // area by the square of the radius of gyration: 2 pi of a disc, 6 of a square
 constexpr float kDragging = 1.0f;  // coefficient of drag, by the width
 constexpr float kCreeping = 0.5f;  // m/s: the speed below which drag grows with it, not with its square
 constexpr float kAddedMass = 0.5f; // of what it displaces: what has to move along

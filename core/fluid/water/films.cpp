@@ -48,16 +48,33 @@ Vec2 way_into(const Water& water, std::uint32_t body, int i, int j) {
     bool mine = false, others = false;
     for (int k = 0; k < 4; ++k) {
         const std::ptrdiff_t corner = g.at(i + k % 2, j + k / 2);
-        if (s.solids.distance()[corner] > 0.0f) continue;
+        const float deep = -s.solids.distance()[corner]; // whose a corner is that lies on both is chance
+        if (deep < 0.0f) continue;
         const bool own = s.solids.owner()[corner] == static_cast<float>(body + 1);
         mine = mine || own, others = others || !own;
-        way += (own ? 1.0f : -1.0f) * Vec2{k % 2 ? 1.0f : -1.0f, k / 2 ? 1.0f : -1.0f};
+        way += (own ? 1.0f : -1.0f) * std::min(deep, 1.0f) * Vec2{k % 2 ? 1.0f : -1.0f, k / 2 ? 1.0f : -1.0f};
     }
     if (!mine) return {};
     if (others) return normalised(way);
     const bool left = i == 0 && !water.open[kLeft], right = i == g.nx - 1 && !water.open[kRight];
     const bool bottom = j == 0 && !water.open[kBottom], top = j == g.ny - 1 && !water.open[kTop];
     return normalised({(left ? 1.0f : 0.0f) - (right ? 1.0f : 0.0f), (bottom ? 1.0f : 0.0f) - (top ? 1.0f : 0.0f)});
+}
+
+// Where a body's surface is in a shut cell, by how deep the corners lie in the body.
+Vec2 surface_in(const Water& water, std::uint32_t body, int i, int j, Vec2 into) {
+    const Solids& solids = water.scratch->solids;
+    const Grid& g = water.grid;
+    Vec2 sum;
+    float count = 0.0f;
+    for (int k = 0; k < 4; ++k) {
+        const std::ptrdiff_t corner = g.at(i + k % 2, j + k / 2);
+        if (solids.owner()[corner] != static_cast<float>(body + 1)) continue;
+        const float deep = std::clamp(-solids.distance()[corner], 0.0f, 1.0f);
+        sum += Vec2{static_cast<float>(i + k % 2), static_cast<float>(j + k / 2)} - deep * into;
+        count += 1.0f;
+    }
+    return g.low + g.h / count * sum;
 }
 
 class Looker { // round one body
@@ -84,8 +101,8 @@ private:
             const std::int32_t end = into == Vec2{} ? kShut : cell_near(water_, i, j, into);
             if (end == kShut) return;
             loop.right_up += max(into, Vec2{}), loop.left_down += max(-into, Vec2{});
-            const Vec2 middle{static_cast<float>(i) + 0.5f, static_cast<float>(j) + 0.5f};
-            s_.touches.push_back({body, end, water_.grid.low + water_.grid.h * middle - bodies_[body].centre, into});
+            const Vec2 place = surface_in(water_, body, i, j, into);
+            s_.touches.push_back({body, end, place - bodies_[body].centre, into});
         }
     }
 
@@ -155,7 +172,6 @@ void spread(const World& world, Water& water, const Film& film, float dt) {
 
 void add_films(const World& world, Water& water, float dt) {
     WaterScratch& s = *water.scratch;
-    s.loops.assign(world.bodies.rows.size(), {});
     if (s.unsorted_reaches.empty() && s.films.empty()) return;
     look_round(world, water);
     for (const Touch& touch : s.touches) {

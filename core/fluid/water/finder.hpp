@@ -2,6 +2,7 @@
 // What bodies close of cells' faces, and so take part in what flows out of the cells.
 #include "fluid/water/scratch.hpp"
 #include "world.hpp"
+#include <cmath>
 
 namespace evil::fluid {
 
@@ -23,10 +24,12 @@ public:
     }
 
 private:
-    // A face between two corners of cells, its direction out of the cell.
+    // A face between two corners of cells, its direction out of the cell. What a body closes of it is at one of its ends.
     void add(float closed, std::ptrdiff_t a, std::ptrdiff_t b, Vec2 out, Vec2 middle) {
         if (closed <= 0.0f) return;
         const Field &distance = s_.solids.distance(), &owner = s_.solids.owner();
+        const float aside = 0.5f * (1.0f - closed) * (distance[a] < distance[b] ? -1.0f : 1.0f);
+        middle += aside * Vec2{std::abs(out.y), std::abs(out.x)};
         const float number = distance[a] < distance[b] ? owner[a] : owner[b];
         if (number == 0.0f) return;
         const std::uint32_t slot = static_cast<std::uint32_t>(number) - 1;

@@ -165,6 +165,7 @@ void press_flow(World& world, Water& water, float dt) {
     const std::span<const Tile> wet = s.wet_tiles, active = inner_tiles(water);
     stretch_skin(water, dt);
     thicken(world, water, dt);
+    still_films(water);
     EVIL_PICK(set, find_inflow_of)(cells, wet.data(), wet.size(), s.u.data(), s.v.data(), s.inflow.data());
     find_riders(world, water, dt);
     s.rounds = s.press.solve(s.inflow, water.pressure, {s.riders, s.reaches}, kTolerance, kMostRounds, set);

@@ -16,7 +16,7 @@ constexpr int kMostRoomy = 4;   // cells that are neither narrow nor in a slot: 
 
 class Gaps {
 public:
-    Gaps(const World& world, Water& water) : s_(*water.scratch), g_(water.grid), finder_(world, water) {}
+    Gaps(const World& world, Water& water) : water_(water), s_(*water.scratch), g_(water.grid), finder_(world, water) {}
 
     // All dry cells that hang together with this one.
     void look_at(std::ptrdiff_t at) {
@@ -94,13 +94,17 @@ private:
         for (const GapCell& cell : s_.found)
             for (Reach reach : finder_.look_at(column_of(cell.at), row_of(cell.at))) {
                 reach.at = cell.end;
-                const Vec2 middle{static_cast<float>(column_of(cell.at)) + 0.5f,
-                                  static_cast<float>(row_of(cell.at)) + 0.5f};
-                s_.films.push_back({reach, g_.low + g_.h * middle});
+                const int i = column_of(cell.at), j = row_of(cell.at);
+                const Vec2 middle{static_cast<float>(i) + 0.5f, static_cast<float>(j) + 0.5f};
+                s_.films.push_back({reach, g_.low + g_.h * (middle + surface_near(water_, i, j, reach.body))});
             }
-        for (const GapCell& cell : s_.gap) s_.rho[cell.at] = kFullOfFilm;
+        for (const GapCell& cell : s_.gap) {
+            s_.rho[cell.at] = kFullOfFilm;
+            s_.film_cells.push_back(cell.at);
+        }
     }
 
+    const Water& water_;
     WaterScratch& s_;
     const Grid& g_;
     Finder finder_;
@@ -139,7 +143,7 @@ void dry_narrow_cells(Water& water) {
 
 void find_gaps(const World& world, Water& water) {
     WaterScratch& s = *water.scratch;
-    s.films.clear(), s.dried.clear();
+    s.films.clear(), s.film_cells.clear(), s.dried.clear();
     if (!s.solids.any()) return;
     const auto set_live = [&](std::uint8_t live) {
         for (const Tile& tile : s.active)
@@ -154,6 +158,11 @@ void find_gaps(const World& world, Water& water) {
     s.met_cells.clear();
     for (std::int32_t at : s.dried)
         if (s.rho[at] != kFullOfFilm) s.wet[at] = 1.0f;
+}
+
+void still_films(Water& water) {
+    WaterScratch& s = *water.scratch;
+    for (std::ptrdiff_t at : s.film_cells) s.u[at] = s.u[at + 1] = s.v[at] = s.v[at + water.grid.stride] = 0.0f;
 }
 
 } // namespace evil::fluid

@@ -5,10 +5,10 @@
 namespace evil::fluid {
 namespace {
 
-constexpr int kCoarsest = 4;         // cells each way that sweeps alone solve well
-constexpr int kCoarsestSweeps = 6;   // there
-constexpr float kSilent = 1e-6f;     // m/s: what may be left in each cell whatever is asked for
-constexpr float kGives = 0.1f;       // faces by which a pocket grows, a cell that a body moves
+constexpr int kCoarsest = 4;       // cells each way that sweeps alone solve well
+constexpr int kCoarsestSweeps = 6; // there
+constexpr float kSilent = 1e-6f;   // m/s: what may be left in each cell whatever is asked for
+constexpr float kGives = 1.5f; // faces by which a pocket grows that a body moves: less is how cells see one that swims
 constexpr float kCoarseDrain = 0.5f; // air is twice as far, on a level twice as coarse
 
 void clear_tiles(PressLevel& level) {

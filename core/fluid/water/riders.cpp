@@ -6,8 +6,9 @@
 namespace evil::fluid {
 namespace {
 
-constexpr float kHeld = 0.05f; // share of a gain: less than that is how a step rounds
-constexpr float kWakes = 0.5f; // m/s2 by which the push on a sleeping body must change to wake it
+constexpr float kHeld = 0.05f;  // share of a gain: less than that is how a step rounds
+constexpr float kWakes = 0.5f;  // m/s2 by which the push on a sleeping body must change to wake it
+constexpr float kBuoy = 0.005f; // of what is displaced: a body so light is thrown about by how cells round
 
 // Reaches by body, in the order of their cells.
 void sort_reaches(WaterScratch& s, std::size_t bodies) {
@@ -57,6 +58,23 @@ void set_free(Rider& rider, const Body& b, const Afloat* last, const Loop& loop,
     rider.velocity += gain, rider.spin += spin;
 }
 
+// The pressure of a cell is that of its middle. A body's surface in it lies deeper or higher, and so it is pressed harder or
+// less: without that, a body of a few cells would lose or gain a fifth of its lift by where it lies between them.
+void add_head(const World& world, Water& water, const Reach& reach, int i, int j, float dt) {
+    WaterScratch& s = *water.scratch;
+    const Grid& g = water.grid;
+    const Body& b = world.bodies.rows[reach.body];
+    if (b.kind != BodyKind::dynamic) return;
+    const float most = water.pressure[reach.at] * g.h / dt; // none pulls, and what falls freely presses on nothing
+    const float head = g.h * s.mass[reach.at] * dot(world.gravity, surface_near(water, i, j, reach.body));
+    const float displaced = heaviest(water) * kRound * b.inertia / b.mass,
+                share = b.mass / (b.mass + kBuoy * displaced);
+    const float push = share * heaviest(water) * g.h * std::clamp(head, -most, most);
+    Loop& loop = s.loops[reach.body];
+    loop.lift += push * Vec2{reach.x, reach.y};
+    loop.turn += push * reach.turn;
+}
+
 } // namespace
 
 void find_riders(const World& world, Water& water, float dt) {
@@ -64,12 +82,16 @@ void find_riders(const World& world, Water& water, float dt) {
     const Grid& g = water.grid;
     s.unsorted_reaches.clear(), s.reaches.clear(), s.riders.clear();
     if (!s.solids.any()) return;
+    s.loops.assign(world.bodies.rows.size(), {});
     Finder finder(world, water);
     for (const Tile& tile : s.wet_tiles)
         if (s.near[static_cast<std::size_t>(tile.at / 8)])
             for (int i = tile.i; i < std::min(tile.i + 8, g.nx); ++i)
                 if (s.wet[g.at(i, tile.j)] > 0.0f)
-                    for (const Reach& reach : finder.look_at(i, tile.j)) s.unsorted_reaches.push_back(reach);
+                    for (const Reach& reach : finder.look_at(i, tile.j)) {
+                        s.unsorted_reaches.push_back(reach);
+                        add_head(world, water, reach, i, tile.j, dt);
+                    }
     add_films(world, water, dt);
     sort_reaches(s, world.bodies.rows.size());
     const float per_push = heaviest(water) * g.h * g.h;

@@ -7,6 +7,7 @@
 
 namespace evil::fluid {
 
+inline constexpr float kRound = 6.2f;    // area by the square of the radius of gyration: 2 pi of a disc, 6 of a square
 inline constexpr float kMostPush = 1e4f; // m/s2 of a body: a squeezed pocket may press without bounds
 
 // Particles in the order of their cells, in cells and m/s; arrays have room for eight more.
@@ -112,6 +113,7 @@ struct WaterScratch {
     std::vector<std::int32_t> met_cells; // all of those
     std::vector<GapCell> gap, found;     // of one gap
     std::vector<std::int32_t> dried;     // cells
+    std::vector<std::int32_t> film_cells;
     Press press;
     ThickScratch thick;
     Field viscosity, tension; // of what is in cells; empty until there is any
@@ -137,6 +139,8 @@ struct Bank {
     std::uint32_t body;
 };
 Bank bank_at(const Water& water, float x, float y); // in cells
+// From the middle of a cell to a body's surface, in cells; none if another body is nearer.
+Vec2 surface_near(const Water& water, int i, int j, std::uint32_t body);
 
 // swarm.cpp: particles to the swarm, sorted, and back.
 void take_in(const World& world, Water& water);
@@ -146,6 +150,7 @@ void give_out(const World& world, Water& water, float dt);
 void gather_flow(const World& world, Water& water, float dt);
 void find_liquid(const World& world, Water& water);
 void find_gaps(const World& world, Water& water); // gaps.cpp
+void still_films(Water& water); // what flows into them, bodies say: no pressure holds back what falls out of them
 void press_flow(World& world, Water& water, float dt);
 void scatter_flow(const World& world, Water& water, float dt);
 
