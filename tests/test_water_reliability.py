@@ -76,6 +76,15 @@ def test_a_sealed_box_that_gets_smaller() -> None:
     assert watch(world, water, 120) < 10
 
 
+@pytest.mark.parametrize("speed", [0.3, 1, 3])
+def test_a_body_in_a_sealed_box_that_is_squeezed(speed: float) -> None:
+    world, water = tank(2, 2)
+    water.fill((0, 0, 2, 2))
+    world.add(evil.Circle(0.5), at=(1, 1), density=0.5)  # where water was, too
+    world.add(evil.Rectangle(3, 1), at=(1, 2.6), kind="kinematic", velocity=(0, -speed))
+    assert watch(world, water, 120) < 100  # it shot off at thousands of metres a second
+
+
 def test_bodies_jammed_in_a_corner() -> None:
     world, water = tank(3, 3)
     for shape, at in ((evil.Rectangle(5, 1), (1.5, -0.5)), (evil.Rectangle(1, 4), (-0.5, 1.5))):

@@ -97,7 +97,7 @@ void find_inflow_of(const CellsView& c, const Tile* tiles, std::size_t count, co
     }
 }
 
-void flow_by_pressure(const CellsView& c, const Tile* tiles, std::size_t count, const float* p, float* u,
+void flow_by_pressure(const CellsView& c, const Tile* tiles, std::size_t count, const float* p, float most, float* u,
                       float* v) noexcept {
     for (std::size_t k = 0; k < count; ++k) {
         const std::ptrdiff_t at = tiles[k].at;
@@ -113,7 +113,8 @@ void flow_by_pressure(const CellsView& c, const Tile* tiles, std::size_t count, 
                 there.wet * (Floats(1.0f) - here.wet) * other_above * per_distance(there.rho, here.rho);
             const Floats within = here.wet * there.wet * ease(here.mass, there.mass) * (pressure - other_pressure);
             const Floats before = load(flow + at);
-            store(flow + at, select(load(open + at) > 0.0f, before - (within + (outward - inward)), before));
+            const Floats lost = clamp(within + (outward - inward), -most, most);
+            store(flow + at, select(load(open + at) > 0.0f, before - lost, before));
         };
         lose(c.across, u, at - 1);
         lose(c.up, v, at - c.stride);

@@ -44,9 +44,9 @@ EVIL_WIDE(void weigh_cells(const fluid::CellsView& cells, const fluid::Tile* til
 // What flows into each cell.
 EVIL_WIDE(void find_inflow_of(const fluid::CellsView& cells, const fluid::Tile* tiles, std::size_t count,
                               const float* u, const float* v, float* inflow) noexcept;)
-// u and v lose the pressure's gradient.
+// u and v lose the pressure's gradient, at most so much each.
 EVIL_WIDE(void flow_by_pressure(const fluid::CellsView& cells, const fluid::Tile* tiles, std::size_t count,
-                                const float* p, float* u, float* v) noexcept;)
+                                const float* p, float most, float* u, float* v) noexcept;)
 // Faces in the air beside those of liquid move as these do: else what is on top would fall into what is below.
 EVIL_WIDE(void extend_flow(const fluid::CellsView& cells, const fluid::Tile* tiles, std::size_t count, float* u,
                            float* v) noexcept;)

@@ -8,6 +8,7 @@ namespace {
 
 constexpr float kTolerance = 1e-3f;      // of the divergence, that pressure leaves
 constexpr float kSpreadTolerance = 0.1f; // of the crowding
+constexpr float kMostShift = 1.0f;       // cells
 constexpr float kSpreadShare = 0.2f;     // of the crowding that one step takes away
 constexpr int kMostRounds = 36, kMostSpreadRounds = 6;
 
@@ -169,8 +170,8 @@ void press_flow(World& world, Water& water, float dt) {
     EVIL_PICK(set, find_inflow_of)(cells, wet.data(), wet.size(), s.u.data(), s.v.data(), s.inflow.data());
     find_riders(world, water, dt);
     s.rounds = s.press.solve(s.inflow, water.pressure, {s.riders, s.reaches}, kTolerance, kMostRounds, set);
-    EVIL_PICK(set, flow_by_pressure)(cells, active.data(), active.size(), water.pressure.data(), s.u.data(),
-                                     s.v.data());
+    EVIL_PICK(set, flow_by_pressure)(cells, active.data(), active.size(), water.pressure.data(),
+                                     most_kick(world, water, dt), s.u.data(), s.v.data());
     EVIL_PICK(set, extend_flow)(cells, active.data(), active.size(), s.u.data(), s.v.data());
     push_riders(world, water, dt);
     drop_skin(water);
@@ -182,7 +183,7 @@ void press_flow(World& world, Water& water, float dt) {
     EVIL_PICK(set, find_crowds)(cells, wet.data(), wet.size(), kSpreadShare, s.inflow.data());
     for (const Tile& tile : wet) std::fill_n(s.spread.data() + tile.at, 8, 0.0f);
     s.spread_rounds = s.press.solve(s.inflow, s.spread, {}, kSpreadTolerance, kMostSpreadRounds, set);
-    EVIL_PICK(set, flow_by_pressure)(cells, active.data(), active.size(), s.spread.data(), s.shift_u.data(),
+    EVIL_PICK(set, flow_by_pressure)(cells, active.data(), active.size(), s.spread.data(), kMostShift, s.shift_u.data(),
                                      s.shift_v.data());
     close_sides(water, s.shift_u, s.shift_v);
     mirror_rim(s, water.grid, s.shift_u, s.shift_v);

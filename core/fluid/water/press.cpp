@@ -9,6 +9,8 @@ constexpr int kCoarsest = 4;       // cells each way that sweeps alone solve wel
 constexpr int kCoarsestSweeps = 6; // there
 constexpr float kSilent = 1e-6f;   // m/s: what may be left in each cell whatever is asked for
 constexpr float kGives = 1.5f; // faces by which a pocket grows that a body moves: less is how cells see one that swims
+constexpr float kGivesAll =
+    0.25f; // of what it gives to each: less is how cells see one that moves from pocket to pocket
 constexpr float kCoarseDrain = 0.5f; // air is twice as far, on a level twice as coarse
 
 void clear_tiles(PressLevel& level) {
@@ -142,34 +144,68 @@ void Press::balance(const Field& b, const Riders& riders) {
     for (const Tile& tile : fine.tiles)
         for (std::ptrdiff_t at = tile.at; at < tile.at + 8; ++at) fine.b[at] = fine.inverse[at] > 0.0f ? b[at] : 0.0f;
     if (!any_closed_) return;
-    for (Pocket& pocket : pockets_) pocket.sum = 0.0f, pocket.gives_way = pocket.drained;
-    for (const Rider& rider : riders.all) {
-        if (!rider.free) continue;
-        auto each_pocket = [&](auto visit) {
-            for (std::uint32_t k = rider.first; k < rider.last; ++k) {
-                const auto at = static_cast<std::size_t>(riders.reaches[k].at);
-                if (fine.inverse[riders.reaches[k].at] > 0.0f) // it has a pocket
-                    visit(pockets_[static_cast<std::size_t>(pocket_of_[at])], riders.reaches[k]);
-            }
-        };
-        each_pocket([](Pocket& pocket, const Reach& reach) { pocket.x += reach.x, pocket.y += reach.y; });
-        each_pocket([&](Pocket& pocket,
-                        const Reach&) { // one that swims in it leaves its room as it is, and so does one that is held
-            const Vec2 way{pocket.x, pocket.y}, free = way - dot(rider.stop, way) * rider.stop;
-            pocket.gives_way = pocket.gives_way || std::abs(free.x) + std::abs(free.y) > kGives;
-        });
-        each_pocket([](Pocket& pocket, const Reach&) { pocket.x = pocket.y = 0.0f; });
-    }
+    join_pockets(riders);
     auto each_stiff = [&](auto visit) {
         for (const Tile& tile : fine.tiles)
             for (std::ptrdiff_t at = tile.at; at < tile.at + 8; ++at) {
                 if (fine.inverse[at] == 0.0f) continue;
-                Pocket& pocket = pockets_[static_cast<std::size_t>(pocket_of_[static_cast<std::size_t>(at)])];
-                if (!pocket.gives_way) visit(fine.b[at], pocket);
+                Pocket& all = pockets_[whole(pocket_of_[static_cast<std::size_t>(at)])];
+                if (!all.gives_way) visit(fine.b[at], all);
             }
     };
-    each_stiff([](const float& value, Pocket& pocket) { pocket.sum += value; });
-    each_stiff([](float& value, const Pocket& pocket) { value -= pocket.sum / pocket.cells; });
+    each_stiff([](const float& value, Pocket& all) { all.sum += value, all.cells_in_all += 1.0f; });
+    each_stiff([](float& value, const Pocket& all) { value -= all.sum / all.cells_in_all; });
+}
+
+std::size_t Press::whole(std::int32_t pocket) const {
+    while (pockets_[static_cast<std::size_t>(pocket)].part_of != pocket)
+        pocket = pockets_[static_cast<std::size_t>(pocket)].part_of;
+    return static_cast<std::size_t>(pocket);
+}
+
+// A body that closed pockets press on from several sides makes one of them: what it gives one it takes from another. They give
+// way if it gives way to them all, as a piston does below air. One that swims leaves their room as it is, and so does one
+// that is held.
+void Press::join_pockets(const Riders& riders) {
+    for (std::size_t k = 0; k < pockets_.size(); ++k) {
+        Pocket& pocket = pockets_[k];
+        pocket.part_of = static_cast<std::int32_t>(k);
+        pocket.sum = pocket.cells_in_all = 0.0f, pocket.gives_way = pocket.drained;
+    }
+    for (const Rider& rider : riders.all) {
+        if (!rider.free) continue;
+        auto give = [&](Vec2 way) {
+            const Vec2 free = way - dot(rider.stop, way) * rider.stop;
+            return std::abs(free.x) + std::abs(free.y);
+        };
+        auto each_pocket = [&](auto visit) {
+            for (const Reach& reach : riders.reaches.subspan(rider.first, rider.last - rider.first))
+                if (levels_[0].inverse[reach.at] > 0.0f) { // it has a pocket
+                    const std::int32_t number = pocket_of_[static_cast<std::size_t>(reach.at)];
+                    visit(number, pockets_[static_cast<std::size_t>(number)], reach);
+                }
+        };
+        each_pocket([](std::int32_t, Pocket& pocket, const Reach& reach) { pocket.way += {reach.x, reach.y}; });
+        Vec2 total;
+        float parts = 0.0f;
+        std::int32_t first = -1;
+        each_pocket([&](std::int32_t number, Pocket& pocket, const Reach&) {
+            if (!pocket.drained && give(pocket.way) > kGives) {
+                const auto other = static_cast<std::int32_t>(whole(number));
+                if (first < 0) first = other;
+                const std::int32_t one = std::min(first, other);
+                pockets_[static_cast<std::size_t>(first)].part_of = pockets_[static_cast<std::size_t>(other)].part_of =
+                    one;
+                first = one;
+                total += pocket.way, parts += give(pocket.way);
+            }
+            pocket.way = {};
+        });
+        if (first >= 0 && give(total) > std::max(kGives, kGivesAll * parts))
+            pockets_[static_cast<std::size_t>(first)].gives_way = true;
+    }
+    for (std::size_t k = 0; k < pockets_.size(); ++k) // of a part, before it was one
+        if (pockets_[k].gives_way) pockets_[whole(static_cast<std::int32_t>(k))].gives_way = true;
 }
 
 void Press::cycle(std::size_t number, InstructionSet set) {
@@ -241,6 +277,8 @@ int Press::solve(const Field& b, Field& p, const Riders& riders, float tolerance
         left = EVIL_PICK(set, press_advance)(view, static_cast<float>(double(now) / energy), search_.data(),
                                              image_.data(), p.data());
     }
+    if (left > asked) // there is none that would do, as in liquid that is shut in and squeezed
+        for (const Tile& tile : fine.tiles) std::fill_n(p.data() + tile.at, 8, 0.0f);
     return round;
 }
 

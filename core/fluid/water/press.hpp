@@ -68,6 +68,8 @@ public:
 private:
     void cycle(std::size_t level, InstructionSet set);
     void find_pockets();
+    void join_pockets(const Riders& riders);
+    std::size_t whole(std::int32_t pocket) const;
     void balance(const Field& b,
                  const Riders& riders); // the finest level's b becomes this one, as far as a flow can bring it about
     void add_riders(const Riders& riders, const float* p, float* result, double* energy) const;
@@ -77,9 +79,12 @@ private:
     // Cells that are joined by open faces. Where no air is and no body gives way, what they gather on the whole stays: no
     // pressure could change it.
     struct Pocket {
-        float sum = 0.0f, cells = 0.0f;
-        float x = 0.0f, y = 0.0f; // by how much it grows when a body moves that way
-        bool drained = false, gives_way = false;
+        float cells = 0.0f;
+        Vec2 way; // by how much it grows when a body moves along
+        bool drained = false;
+        std::int32_t part_of = 0;              // the pocket that stands for all that bodies join to one
+        float sum = 0.0f, cells_in_all = 0.0f; // of that
+        bool gives_way = false;
     };
     std::vector<std::int32_t> pocket_of_; // by cell
     std::vector<std::int32_t> joined_;    // pockets to lower ones

@@ -2,13 +2,15 @@
 // and pressure moves those that are free.
 #include "fluid/water/finder.hpp"
 #include <algorithm>
+#include <cmath>
 
 namespace evil::fluid {
 namespace {
 
-constexpr float kHeld = 0.05f;  // share of a gain: less than that is how a step rounds
-constexpr float kWakes = 0.5f;  // m/s2 by which the push on a sleeping body must change to wake it
-constexpr float kBuoy = 0.005f; // of what is displaced: a body so light is thrown about by how cells round
+constexpr float kHeld = 0.05f;    // share of a gain: less than that is how a step rounds
+constexpr float kWakes = 0.5f;    // m/s2 by which the push on a sleeping body must change to wake it
+constexpr float kSqueezed = 8.0f; // how many times as fast as a body that nothing stops may be what it squeezes out
+constexpr float kBuoy = 0.005f;   // of what is displaced: a body so light is thrown about by how cells round
 
 // Reaches by body, in the order of their cells.
 void sort_reaches(WaterScratch& s, std::size_t bodies) {
@@ -108,9 +110,26 @@ void find_riders(const World& world, Water& water, float dt) {
     }
 }
 
+// Liquid that is shut in and squeezed has nowhere to go, and what little gives way to it would be shot off. So no pressure
+// does more than stop the fastest, let it fall through the box, or press it out beside a body that is wider than the gap.
+float most_kick(const World& world, const Water& water, float dt) {
+    const WaterScratch& s = *water.scratch;
+    const Grid& g = water.grid;
+    float fastest = 0.0f;
+    for (const Rider& rider : s.riders) {
+        const Patch& p = s.loops[rider.body].patch;
+        const float wide = 0.5f * g.h * static_cast<float>(std::max(p.right - p.left, p.high - p.low));
+        const float speed = length(rider.velocity) + std::abs(rider.spin) * wide;
+        fastest = std::max(fastest, rider.free ? speed : kSqueezed * speed);
+    }
+    const float fall = std::sqrt(2.0f * length(world.gravity) * g.h * static_cast<float>(g.nx + g.ny));
+    return s.swarm.fastest + fastest + fall + g.h / dt;
+}
+
 void push_riders(World& world, Water& water, float dt) {
     WaterScratch& s = *water.scratch;
     const float per_push = heaviest(water) * water.grid.h * water.grid.h / dt;
+    const float most = std::min(kMostPush, most_kick(world, water, dt) / dt);
     s.afloat.clear();
     for (const Rider& rider : s.riders) {
         Body& b = world.bodies.rows[rider.body];
@@ -118,7 +137,7 @@ void push_riders(World& world, Water& water, float dt) {
         const PushOf sum = push_of(rider, s.reaches, water.pressure.data());
         const Loop& loop = s.loops[rider.body];
         const Vec2 push{static_cast<float>(sum.x) * per_push, static_cast<float>(sum.y) * per_push};
-        const Vec2 force = clamped(push + loop.lift, kMostPush * b.mass);
+        const Vec2 force = clamped(push + loop.lift, most * b.mass);
         const float torque = clamped(static_cast<float>(sum.turn) * per_push + loop.turn, kMostPush * b.inertia);
         const Afloat* last = remembered(water, rider.body, b);
         if (!b.awake) {

@@ -19,6 +19,7 @@ struct Swarm {
     std::vector<std::int32_t> cell; // of each particle as it came
     std::vector<Vec2> place;        // the same, in cells
     std::size_t count = 0;
+    float fastest = 0.0f; // m/s along an axis
 };
 
 // A body's outline as cells see it: closed, so that what no open cell sees is the negative of the sum of what they do.
@@ -162,7 +163,8 @@ void drop_skin(Water& water);
 // riders.cpp: bodies in the pressure's equation.
 void find_riders(const World& world, Water& water, float dt);
 void push_riders(World& world, Water& water, float dt);
-void add_films(const World& world, Water& water, float dt); // films.cpp
+float most_kick(const World& world, const Water& water, float dt); // m/s that the pressure may change a velocity by
+void add_films(const World& world, Water& water, float dt);        // films.cpp
 
 // drift.cpp: bodies that the cells do not see.
 void drift_small_bodies(World& world, Water& water, float dt);

@@ -2,6 +2,7 @@
 #include "fluid/water/scratch.hpp"
 #include "world.hpp"
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace evil::fluid {
@@ -137,17 +138,19 @@ void take_in(const World& world, Water& water) {
     std::array<float, kMostLiquids> mass{};
     for (std::size_t k = 0; k < water.liquids.size(); ++k) mass[k] = water.liquids[k].density / heavy;
     const std::size_t last_liquid = water.liquids.size() - 1;
+    float fastest = 0.0f;
     for (std::size_t k = 0; k < water.count; ++k) {
         const std::size_t to = s.first[static_cast<std::size_t>(swarm.cell[k])]++;
         swarm.x[to] = swarm.place[k].x, swarm.y[to] = swarm.place[k].y;
         swarm.u[to] = clamped(p.velocities[2 * k], kMostSwim),
         swarm.v[to] = clamped(p.velocities[2 * k + 1], kMostSwim);
+        fastest = std::max({fastest, std::abs(swarm.u[to]), std::abs(swarm.v[to])});
         for (std::size_t d = 0; d < 4; ++d) swarm.affine[d][to] = clamped(g.h * p.affine[4 * k + d], kMostSwim);
         const std::size_t liquid = std::min<std::size_t>(p.liquid[k], last_liquid);
         swarm.liquid[to] = static_cast<std::uint8_t>(liquid);
         swarm.mass[to] = mass[liquid];
     }
-    swarm.count = water.count;
+    swarm.count = water.count, swarm.fastest = fastest;
     for (std::size_t k = swarm.count; k < swarm.count + kSpare; ++k) swarm.x[k] = swarm.y[k] = 1.0f;
 }
 
