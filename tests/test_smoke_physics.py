@@ -217,3 +217,25 @@ def test_a_lid_drives_a_cavity_as_ghia_found(reynolds: int, cells: int, seconds:
         world.step(1 / 30)
     found = [velocity.x for velocity in smoke.velocity_at([(0.5, height) for height in HEIGHTS])]
     assert max(abs(a - b) for a, b in zip(found, GHIA[reynolds], strict=True)) < off
+
+
+@pytest.mark.parametrize("open_sides", ["top", "top left right", "all"])
+def test_a_fire_in_the_open_draws_air_in_and_makes_no_storm(open_sides: str) -> None:
+    """Air that comes in by an open side brings no speed of its own, or it would come ever faster."""
+    world = evil.World()
+    smoke = world.add_smoke((-4, 0, 4, 4), cells=48, open_sides=open_sides, vorticity=4)
+    smoke.add_source(at=(1, 0.5), radius=0.3, fuel=5, temperature=1)
+    fastest = 0.0
+    for _ in range(45):
+        for _ in range(20):
+            world.step()
+        fastest = max(fastest, float(np.hypot(*np.moveaxis(np.asarray(smoke.velocity), -1, 0)).max()))
+    assert 4.0 < fastest < 20.0
+
+
+def test_what_an_open_side_lets_in_moves_as_the_wind_does() -> None:
+    world = evil.World(gravity=(0, 0))
+    smoke = world.add_smoke((0, 0, 4, 2), cells=32, open_sides="left right", wind=(2, 0), wind_pull=5)
+    for _ in range(240):
+        world.step()
+    assert np.asarray(smoke.velocity)[..., 0] == pytest.approx(2.0, rel=0.02)

@@ -26,6 +26,32 @@ void carry(const Step& step, Field& value, Field& result, bool across) {
     value.swap(result);
 }
 
+// What comes in by an open side was air outside, which moves as the wind does: it brings no other momentum. A jet that blew
+// in as it likes would gain speed without end.
+void let_in(const Step& step, Side side) {
+    Smoke& smoke = step.smoke;
+    const Grid& g = smoke.grid;
+    const bool across = side == kLeft || side == kRight, low = side == kLeft || side == kBottom;
+    const int deep = across ? g.nx : g.ny, along = across ? g.ny : g.nx;
+    const auto at = [&](int inwards, int beside) { return across ? g.at(inwards, beside) : g.at(beside, inwards); };
+    Field &through = across ? smoke.u : smoke.v, &beside = across ? smoke.v : smoke.u;
+    const Vec2 wind = smoke.gas.wind;
+    const float wind_through = across ? wind.x : wind.y, wind_beside = across ? wind.y : wind.x;
+    bool any = true;
+    for (int k = 0; k < deep && any; ++k) {
+        any = false;
+        const int cell = low ? k : deep - 1 - k, face = low ? k : deep - k;
+        for (int m = 0; m <= along; ++m) {
+            const float way = (across ? step.scratch.dx : step.scratch.dy)[at(cell, std::min(m, along - 1))];
+            const float share = std::min((low ? way : -way) - static_cast<float>(k), 1.0f); // that was outside
+            if (!(share > 0.0f)) continue;
+            any = true;
+            if (m < along) through[at(face, m)] += share * (wind_through - through[at(face, m)]);
+            beside[at(cell, m)] += share * (wind_beside - beside[at(cell, m)]);
+        }
+    }
+}
+
 Vec2 velocity_of(const Scratch& s, const Wall& wall) { return velocity_at(s.rides[wall.body], wall.place); }
 
 // Root mean square over the cells with gas, a second.
@@ -65,6 +91,8 @@ void find_way(const Step& step, float dt) {
 void carry_flow(const Step& step) {
     carry(step, step.smoke.u, step.scratch.u, true);
     carry(step, step.smoke.v, step.scratch.v, false);
+    for (const Side side : {kLeft, kRight, kBottom, kTop})
+        if (step.smoke.open[side]) let_in(step, side);
 }
 
 void drive(const Step& step) {
