@@ -117,18 +117,17 @@ Threads::~Threads() {
 }
 
 void Threads::set_count(int count) {
-    int cores = static_cast<int>(std::thread::hardware_concurrency());
     count_ = std::clamp(count, 1, kMaxThreads);
     crew_.reset();
-    int size = std::min(count_, std::max(cores, kAlwaysStarted)) - 1;
-    if (size > 0) crew_ = std::make_unique<Crew>(size);
 }
 
 Threads::Shift::Shift(Threads& threads) : threads_(threads) {
-    if (!threads.crew_) return;
-    if (threads.crew_->process != this_process()) { // a fork has no threads but the one that forked: start anew
-        (void)threads.crew_.release();
-        threads.set_count(threads.count_);
+    if (threads.count_ == 1) return;
+    // A fork has no threads but the one that forked.
+    if (threads.crew_ && threads.crew_->process != this_process()) (void)threads.crew_.release();
+    if (!threads.crew_) {
+        const int cores = static_cast<int>(std::thread::hardware_concurrency());
+        threads.crew_ = std::make_unique<Crew>(std::min(threads.count_, std::max(cores, kAlwaysStarted)) - 1);
     }
     threads.crew_->wake(true);
 }

@@ -28,7 +28,8 @@ public:
     int count() const { return count_; } // as asked for: the crew is smaller where the machine has fewer
     void set_count(int count);           // 1..kMaxThreads
 
-    // While one lives, the crew waits awake: a loop begins within a microsecond. Otherwise it sleeps.
+    // While one lives, the crew waits awake: a loop begins within a microsecond. Otherwise it sleeps, and loops are the
+    // caller's alone. The first one starts the crew.
     class Shift {
     public:
         explicit Shift(Threads& threads);

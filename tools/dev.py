@@ -189,7 +189,7 @@ THREADS = Watch(
     ROOT / "build" / "threads",
     "thread",
     ("libtsan.so",),
-    ("tests/test_threads.py", "tests/test_other_threads.py", "tests/test_mixer.py"),
+    ("tests/test_threads.py", "tests/test_other_threads.py", "tests/test_mixer.py", "tests/test_raster_bands.py"),
     {"TSAN_OPTIONS": "halt_on_error=1:die_after_fork=0:second_deadlock_stack=1"},
 )
 

@@ -15,6 +15,16 @@ using Part = std::tuple<int, int, int, int>; // left, top, width, height
 // Ids count up and are never given out twice, so a released texture can never turn into another.
 class Raster {
 public:
+    explicit Raster(int threads) { set_threads(threads); }
+
+    int threads() const { return threads_.count(); }
+    void set_threads(int threads) {
+        if (threads < 1 || threads > kMaxThreads)
+            raise(ErrorKind::argument,
+                  "Raster: threads=" + std::to_string(threads) + " must be 1 to " + std::to_string(kMaxThreads));
+        threads_.set_count(threads);
+    }
+
     std::uint32_t upload(nb::handle pixels, long width, long height) {
         Bytes bytes(pixels, false, "Raster.upload", "pixels");
         check_picture(bytes, width, height, "Raster.upload");
@@ -36,7 +46,8 @@ public:
 
     // Holds the GIL: the list, the textures and the pixels all belong to Python, and another thread could change them.
     void draw(const draw::DrawList& list, nb::handle pixels, long width, long height,
-              std::optional<std::uint32_t> background, const std::string& instructions, std::optional<Part> part) {
+              std::optional<std::uint32_t> background, const std::string& instructions, std::optional<Part> part,
+              int rows) {
         Bytes bytes(pixels, true, "Raster.draw", "pixels");
         check_picture(bytes, width, height, "Raster.draw");
         if (reinterpret_cast<std::uintptr_t>(bytes.data()) % alignof(raster::Pixel) != 0)
@@ -44,7 +55,8 @@ public:
         raster::Target target{reinterpret_cast<raster::Pixel*>(bytes.data()), static_cast<int>(width),
                               static_cast<int>(height), static_cast<int>(width)};
         if (part) target = part_of(target, *part);
-        raster::render(list, background, textures_, target, scratch_, to_set(instructions));
+        if (rows < 0) raise(ErrorKind::argument, "Raster.draw: rows=" + std::to_string(rows) + " must not be negative");
+        raster::render(list, background, textures_, target, scratch_, threads_, {to_set(instructions), rows});
     }
 
 private:
@@ -73,6 +85,7 @@ private:
 
     std::vector<raster::Texture> textures_ = std::vector<raster::Texture>(1); // id 0 is no texture
     raster::Scratch scratch_;
+    Threads threads_;
 };
 
 void unpremultiply(nb::handle pixels) {
@@ -95,7 +108,8 @@ void check_picture(const Bytes& bytes, long width, long height, const char* owne
 
 void register_raster(nb::module_& module) {
     nb::class_<Raster>(module, "Raster", "The software renderer; evilengine.renderer.soft is its face.")
-        .def(nb::init<>())
+        .def(nb::init<int>(), nb::arg("threads") = 1)
+        .def_prop_rw("threads", &Raster::threads, &Raster::set_threads, "How many threads may share in a picture.")
         .def("upload", &Raster::upload, nb::arg("pixels"), nb::arg("width"), nb::arg("height"),
              "Keep a picture of straight r, g, b, a bytes; its id is for DrawList.instance().")
         .def("update", &Raster::update, nb::arg("texture"), nb::arg("pixels"), nb::arg("width"), nb::arg("height"),
@@ -103,8 +117,11 @@ void register_raster(nb::module_& module) {
         .def("release", &Raster::release, nb::arg("texture"), "Forget a picture.")
         .def("draw", &Raster::draw, nb::arg("list"), nb::arg("pixels"), nb::arg("width"), nb::arg("height"),
              nb::arg("background").none() = 0xff000000u, nb::arg("instructions") = "", nb::arg("part") = nb::none(),
+             nb::arg("rows") = 0,
              "Draw into `pixels`, rows of r, g, b, a multiplied with alpha, over what is there if background is None; "
-             "`instructions` forces one instruction set, and `part` is the left, top, width and height drawn into.");
+             "`instructions` forces one instruction set, `part` is the left, top, width and height drawn into, and "
+             "`rows` "
+             "is how many of them a thread takes at a time, 0 for as many as suit the frame: it changes no pixel.");
     module.def("unpremultiply", &unpremultiply, nb::arg("pixels"),
                "Turn pixels multiplied with alpha into straight ones, in place.");
 }

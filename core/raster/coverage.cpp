@@ -53,24 +53,25 @@ void add_row(std::int32_t* cells, std::uint64_t* touched, int x0, int x1, int ri
 
 // An edge inside the box, a above b. Coordinates in fixed point from the box's corner.
 void add_line(Coverage& coverage, Fixed a, Fixed b, int sign) {
-    const int height = b.y - a.y;
-    if (height <= 0) return;
-    int row = a.y / kOne;
-    std::int32_t* cells = coverage.cells.data() + static_cast<std::size_t>(row) * coverage.stride;
-    std::uint64_t* touched = coverage.touched.data() + static_cast<std::size_t>(row) * coverage.words;
+    const int height = b.y - a.y, top = coverage.rows.first - coverage.box.top;
+    const int last_y = std::min(b.y, (coverage.rows.last - coverage.box.top) * kOne);
+    int y = std::max(a.y, top * kOne);
+    if (y >= last_y) return;
     // Position at the end of each row: floor of (b.x - a.x) * y / height, with its remainder carried along.
     const int run = b.x - a.x; // at most kMaxSide * 256: times 256 it still fits
-    auto floor_divide = [height](int n, int& remainder) {
-        int quotient = n / height;
-        remainder = n % height;
+    auto floor_divide = [height](auto n, int& remainder) {
+        auto quotient = n / height;
+        remainder = static_cast<int>(n % height);
         if (remainder < 0) --quotient, remainder += height;
-        return quotient;
+        return static_cast<int>(quotient);
     };
-    int remainder = 0, step_remainder = 0;
+    int remainder = 0, step_remainder = 0, next_x = 0;
     const int step = floor_divide(run * kOne, step_remainder);
-    int y = a.y, x = a.x;
-    int next_x = 0;
-    while (y < b.y) {
+    int x = y == a.y ? a.x : a.x + floor_divide(std::int64_t{run} * (y - a.y), remainder);
+    int row = y / kOne;
+    std::int32_t* cells = coverage.cells.data() + static_cast<std::size_t>(row - top) * coverage.stride;
+    std::uint64_t* touched = coverage.touched.data() + static_cast<std::size_t>(row - top) * coverage.words;
+    while (y < last_y) {
         const int row_end = (row + 1) * kOne;
         if (y == a.y && row_end < b.y) {
             next_x = a.x + floor_divide(run * (row_end - a.y), remainder);
@@ -105,7 +106,8 @@ void add_edge(Coverage& coverage, Point a, Point b) {
     int sign = 1;
     if (a.y > b.y) std::swap(a, b), sign = -1; // so that an edge shared by two shapes is cut and rounded alike in both
     const int width = coverage.box.right - coverage.box.left, height = coverage.box.bottom - coverage.box.top;
-    if (b.y <= 0 || a.y >= height || !(a.y < b.y)) return;
+    const int first = coverage.rows.first - coverage.box.top, last = coverage.rows.last - coverage.box.top;
+    if (b.y <= first || a.y >= last || !(a.y < b.y)) return;
     if (a.x >= width && b.x >= width) return;
     if (a.y >= 0 && b.y <= height && std::min(a.x, b.x) >= 0 && std::max(a.x, b.x) <= width)
         return add_line(coverage, {to_fixed(a.x, width), to_fixed(a.y, height)},
@@ -124,21 +126,21 @@ void add_edge(Coverage& coverage, Point a, Point b) {
     if (std::min(p.x, q.x) < width && std::max(p.x, q.x) > width) cut[falls_left ? 0 : 1] = y_at(width);
 
     const Fixed start{to_fixed(p.x, width), to_fixed(p.y, height)}, end{to_fixed(q.x, width), to_fixed(q.y, height)};
-    const int first = to_fixed(cut[0], height), second = std::max(first, to_fixed(cut[1], height));
+    const int one = to_fixed(cut[0], height), other = std::max(one, to_fixed(cut[1], height));
     // Clamped, the parts outside run straight down the sides. At the right side they cover nothing that is seen.
-    add_line(coverage, start, {start.x, first}, sign);
-    add_line(coverage, {start.x, first}, {end.x, second}, sign);
-    add_line(coverage, {end.x, second}, end, sign);
+    add_line(coverage, start, {start.x, one}, sign);
+    add_line(coverage, {start.x, one}, {end.x, other}, sign);
+    add_line(coverage, {end.x, other}, end, sign);
 }
 
 } // namespace
 
-void begin(Coverage& coverage, const Box& box) {
-    coverage.box = box;
+void begin(Coverage& coverage, const Box& box, const Rows& shown) {
+    coverage.box = box, coverage.rows = shown;
     coverage.stride =
         (box.right - box.left + 2 + kBlock - 1) / kBlock * kBlock; // an edge on the right side needs two more
     coverage.words = (coverage.stride / kBlock + 63) / 64;
-    const std::size_t rows = static_cast<std::size_t>(box.bottom - box.top);
+    const std::size_t rows = static_cast<std::size_t>(shown.last - shown.first);
     if (coverage.cells.size() < rows * coverage.stride) coverage.cells.resize(rows * coverage.stride);
     if (coverage.touched.size() < rows * coverage.words) coverage.touched.resize(rows * coverage.words);
 }

@@ -5,6 +5,7 @@
 // height that it crossed to the pixel after. A running sum along the row is then the coverage (the method of the font
 // rasterisers LibArt, FreeType and font-rs; rows and touched blocks as in Blend2D). All of it is integer arithmetic, so the
 // order of edges does not matter and every machine gets the same bits.
+#include "raster/bands.hpp"
 #include "raster/target.hpp"
 #include <cstdint>
 #include <span>
@@ -20,13 +21,15 @@ inline constexpr int kFullCell = 1 << 17; // a whole pixel: 256 steps of height 
 inline constexpr int kBlock = 8;          // pixels that share one bit of `touched`
 
 struct Coverage {                       // scratch; all zero between shapes
-    Box box;                            // the pixels looked at
+    Box box;                            // the pixels that the shape may touch
+    Rows rows;                          // and which of its rows are looked at
     int stride = 0, words = 0;          // cells and words of `touched` a row
     std::vector<std::int32_t> cells;    // what the running sum adds up
     std::vector<std::uint64_t> touched; // one bit for each block of cells that is not all zero
 };
 
-void begin(Coverage& coverage, const Box& box);
+// Edges are cut and rounded by the whole box, so a row comes out the same whichever others are looked at.
+void begin(Coverage& coverage, const Box& box, const Rows& rows); // rows within the box
 
 // Adds the closed loop through the points. Loops may overlap; winding numbers add up. Points must be finite.
 void add_loop(Coverage& coverage, std::span<const Point> points);

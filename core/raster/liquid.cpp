@@ -64,30 +64,40 @@ void mix_rows(const LiquidMap& map, const Place& place, std::size_t stride, floa
 
 } // namespace
 
-void draw_liquid(const LiquidMap& map, const Target& target, LightRows* light, LiquidScratch& scratch, Set set) {
+void draw_liquid(const LiquidMap& map, const Target& target, LightRows* light, LiquidScratch& scratch,
+                 const Bands& bands, Set set) {
     const Span across = span_of(map.first.x, map.step, map.width, target.width);
     const Span down = span_of(map.first.y, map.step, map.height, target.height);
     if (across.from >= across.to || down.from >= down.to) return;
     const std::size_t stride = static_cast<std::size_t>(map.stride);
     const std::size_t width = static_cast<std::size_t>(target.width);
     find_columns(map, across, scratch);
-    scratch.texels.resize(stride * draw::kLiquidPlanes + 8);
+    if (scratch.texels.size() < static_cast<std::size_t>(bands.most)) scratch.texels.resize(bands.most);
+    for (std::vector<float>& texels : scratch.texels) texels.resize(stride * draw::kLiquidPlanes + 8);
     scratch.behind.resize(width * static_cast<std::size_t>(target.height));
 
     const std::size_t room = scratch.column.size();
-    LiquidRow row{};
-    for (std::size_t k = 0; k < draw::kLiquidPlanes; ++k) row.planes[k] = scratch.texels.data() + k * stride;
-    for (std::size_t k = 0; k < 4; ++k) row.cubic[k] = scratch.cubic.data() + k * room;
-    row.column = scratch.column.data(), row.part = scratch.part.data();
-    row.behind = scratch.behind.data(), row.width = target.width;
-    row.top = std::max(down.from - map.reach, 0), row.bottom = std::min(down.to + map.reach, target.height);
-    for (int y = row.top; y < row.bottom; ++y) std::copy_n(row_of(target, y), width, &scratch.behind[width * y]);
-    row.rim = 1.0f / map.rim_width;
-    for (row.y = down.from; row.y < down.to; ++row.y) {
-        mix_rows(map, place_of(row.y, map.first.y, map.step), stride, scratch.texels.data(), set);
-        row.light = light && map.lit ? row_of(*light, light->light, row.y, set) + across.from : nullptr;
-        EVIL_PICK(set, liquid_row_wide)(row_of(target, row.y) + across.from, across.from, across.to - across.from, row);
-    }
+    LiquidRow all{};
+    for (std::size_t k = 0; k < 4; ++k) all.cubic[k] = scratch.cubic.data() + k * room;
+    all.column = scratch.column.data(), all.part = scratch.part.data();
+    all.behind = scratch.behind.data(), all.width = target.width;
+    all.top = std::max(down.from - map.reach, 0), all.bottom = std::min(down.to + map.reach, target.height);
+    all.rim = 1.0f / map.rim_width;
+    each_band(bands, target.width, all.bottom - all.top, [&](const Rows& rows, std::size_t) {
+        for (int y = all.top + rows.first; y < all.top + rows.last; ++y)
+            std::copy_n(row_of(target, y), width, &scratch.behind[width * y]);
+    });
+    each_band(bands, target.width, down.to - down.from, [&](const Rows& rows, std::size_t band) {
+        LiquidRow row = all;
+        float* texels = scratch.texels[band].data();
+        for (std::size_t k = 0; k < draw::kLiquidPlanes; ++k) row.planes[k] = texels + k * stride;
+        for (row.y = down.from + rows.first; row.y < down.from + rows.last; ++row.y) {
+            mix_rows(map, place_of(row.y, map.first.y, map.step), stride, texels, set);
+            row.light = light && map.lit ? row_of(*light, light->light, row.y, band, set) + across.from : nullptr;
+            Pixel* to = row_of(target, row.y) + across.from;
+            EVIL_PICK(set, liquid_row_wide)(to, across.from, across.to - across.from, row);
+        }
+    });
 }
 
 } // namespace evil::raster

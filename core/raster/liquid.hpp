@@ -1,6 +1,7 @@
 #pragma once
 // A liquid's map on the picture (draw/liquid_map.hpp says the sums).
 #include "draw/liquid_map.hpp"
+#include "raster/bands.hpp"
 #include "raster/lit.hpp"
 #include "raster/spans.hpp"
 #include <array>
@@ -8,12 +9,12 @@
 
 namespace evil::raster {
 
-struct LiquidScratch {                // losing it changes nothing
-    std::vector<Pixel> behind;        // the picture before
-    std::vector<float> texels;        // planes of one row of pixels, still a texel each
-    std::vector<std::int32_t> column; // by pixel: the texel on its left
-    std::vector<float> part;          // by pixel: how far on the way to the next one
-    std::vector<float> cubic;         // by pixel: four weights, a row of them each
+struct LiquidScratch {                      // losing it changes nothing
+    std::vector<Pixel> behind;              // the picture before
+    std::vector<std::vector<float>> texels; // by band: planes of one row of pixels, still a texel each
+    std::vector<std::int32_t> column;       // by pixel: the texel on its left
+    std::vector<float> part;                // by pixel: how far on the way to the next one
+    std::vector<float> cubic;               // by pixel: four weights, a row of them each
 };
 
 struct LiquidRow { // what the inner loop is told of one row of pixels
@@ -28,6 +29,7 @@ struct LiquidRow { // what the inner loop is told of one row of pixels
     float rim; // one over the width of the bright line
 };
 
-void draw_liquid(const draw::LiquidMap& map, const Target& target, LightRows* light, LiquidScratch& scratch, Set set);
+void draw_liquid(const draw::LiquidMap& map, const Target& target, LightRows* light, LiquidScratch& scratch,
+                 const Bands& bands, Set set);
 
 } // namespace evil::raster

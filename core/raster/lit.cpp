@@ -47,12 +47,14 @@ void mix(const LightRows& rows, const Factors* above, const Factors* below, int 
 
 } // namespace
 
-void begin(LightRows& rows, const light::LightMap& map, const Target& target) {
+void begin(LightRows& rows, const light::LightMap& map, const Target& target, const Bands& bands) {
     rows.map = &map;
     if (!map.on) return;
     rows.width = target.width;
     rows.stride = target.width + 8; // read in eights
-    for (std::vector<std::int32_t>& channel : rows.between) channel.resize(static_cast<std::size_t>(map.width) + 8);
+    if (rows.between.size() < static_cast<std::size_t>(bands.most)) rows.between.resize(bands.most);
+    for (LightRows::Between& row : rows.between)
+        for (std::vector<std::int32_t>& channel : row.channel) channel.resize(static_cast<std::size_t>(map.width) + 8);
     rows.texel.resize(rows.stride), rows.next.resize(rows.stride), rows.weight.resize(rows.stride);
     for (int x = 0; x < rows.stride; ++x) {
         const Place place = place_of(x, map.first.x, map.step, map.width);
@@ -61,20 +63,21 @@ void begin(LightRows& rows, const light::LightMap& map, const Target& target) {
     const auto use = [&](LightRows::Plane& plane, const std::vector<Factors>& texels) {
         plane.texels = &texels;
         plane.factors.resize(static_cast<std::size_t>(rows.stride) * target.height);
-        plane.ready.assign(target.height, false);
+        plane.ready.assign(target.height, 0);
     };
     use(rows.light, map.texels);
     if (map.directed) use(rows.across, map.across), use(rows.down, map.down);
 }
 
-const std::uint32_t* row_of(LightRows& rows, LightRows::Plane& plane, int y, Set set) {
+const std::uint32_t* row_of(LightRows& rows, LightRows::Plane& plane, int y, std::size_t band, Set set) {
     std::uint32_t* row = plane.factors.data() + static_cast<std::size_t>(rows.stride) * y;
     if (plane.ready[y]) return row;
-    plane.ready[y] = true;
+    plane.ready[y] = 1;
     const light::LightMap& map = *rows.map;
     const Place down = place_of(y, map.first.y, map.step, map.height);
     const Factors* texels = plane.texels->data();
-    std::int32_t* const between[3] = {rows.between[0].data(), rows.between[1].data(), rows.between[2].data()};
+    auto& channel = rows.between[band].channel;
+    std::int32_t* const between[3] = {channel[0].data(), channel[1].data(), channel[2].data()};
     mix(rows, texels + static_cast<std::size_t>(down.texel) * map.width,
         texels + static_cast<std::size_t>(down.next) * map.width, down.weight, between);
     const bool near = map.step >= 2.0f; // three and a half texels at most, and the next one

@@ -7,7 +7,6 @@ namespace {
 
 constexpr double kSagitta = 1.0 / 32; // pixels between a circle's arc and its chord: 1/64 to either side cannot be seen
 constexpr int kMostChords = 6144;     // enough for a radius of 240,000 pixels
-constexpr double kMitreLimit = 4.0;   // tip over half width, as in SVG; sharper corners are rounded
 constexpr double kTiny = 1e-9;        // pixels
 
 Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }

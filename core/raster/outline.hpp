@@ -9,6 +9,8 @@
 
 namespace evil::raster {
 
+inline constexpr double kMitreLimit = 4.0; // tip over half width, as in SVG; sharper corners are rounded
+
 struct Loops { // scratch
     std::vector<Point> points;
     std::vector<std::size_t> ends;             // one past each loop's last point

@@ -11,6 +11,7 @@ namespace {
 constexpr std::size_t kPad = 16; // pixels beyond a row's end that the loops may touch, and before its start
 
 using Level = Pyramid::Level;
+using Lines = Pyramid::Lines;
 
 Pixel* row_of(Level& level, int y) { return level.pixels.data() + static_cast<std::size_t>(y) * level.stride + kPad; }
 
@@ -21,85 +22,107 @@ void shape(Level& level, int width, int height) {
 }
 
 // What lies beyond a row is as its end is.
-void hold_ends(Level& level, int y) {
-    Pixel* row = row_of(level, y);
+void hold_ends(Pixel* row, int width) {
     std::fill_n(row - kPad, kPad, row[0]);
-    std::fill_n(row + level.width, 2 * kPad, row[level.width - 1]);
+    std::fill_n(row + width, 2 * kPad, row[width - 1]);
 }
 
-void copy_in(Level& level, const Target& target) {
-    shape(level, target.width, target.height);
-    for (int y = 0; y < target.height; ++y) {
-        std::copy_n(raster::row_of(target, y), target.width, row_of(level, y));
-        hold_ends(level, y);
-    }
+void begin(Pyramid& pyramid, int levels, const Target& target, const Bands& bands) {
+    if (pyramid.levels.size() < static_cast<std::size_t>(levels)) pyramid.levels.resize(levels);
+    if (pyramid.lines.size() < static_cast<std::size_t>(bands.most)) pyramid.lines.resize(bands.most);
+    const std::size_t room = static_cast<std::size_t>(target.width) + 3 * kPad;
+    for (Lines& lines : pyramid.lines)
+        if (lines.full.size() < room) {
+            for (std::vector<Pixel>* line : {&lines.between, &lines.full, &lines.other}) line->resize(room);
+            lines.mask.assign(room, 255);
+        }
 }
 
-void copy_out(Level& level, const Target& target) {
-    for (int y = 0; y < target.height; ++y) std::copy_n(row_of(level, y), target.width, raster::row_of(target, y));
+// Each row of a level from two of a larger one, or of the picture: `rows_above(y, lines)` gives them.
+template <class RowsAbove, class Then>
+void halve(int width, int height, Level& to, RowsAbove&& rows_above, Then&& then, const Bands& bands, Set set) {
+    shape(to, (width + 1) / 2, (height + 1) / 2);
+    each_band(bands, to.width, to.height, [&](const Rows& rows, std::size_t band) {
+        for (int y = rows.first; y < rows.last; ++y) {
+            const auto [low, high] = rows_above(2 * y, std::min(2 * y + 1, height - 1), band);
+            EVIL_PICK(set, halve_row_wide)(row_of(to, y), low, high, to.width);
+            then(row_of(to, y));
+            hold_ends(row_of(to, y), to.width);
+        }
+    });
 }
 
-void halve(Level& from, Level& to, Set set) {
-    shape(to, (from.width + 1) / 2, (from.height + 1) / 2);
-    for (int y = 0; y < to.height; ++y) {
-        const int low = 2 * y, high = std::min(low + 1, from.height - 1);
-        EVIL_PICK(set, halve_row_wide)(row_of(to, y), row_of(from, low), row_of(from, high), to.width);
-        hold_ends(to, y);
-    }
+constexpr auto kNothing = [](Pixel*) {};
+
+void halve(Level& from, Level& to, const Bands& bands, Set set) {
+    const auto rows = [&](int low, int high, std::size_t) { return std::pair(row_of(from, low), row_of(from, high)); };
+    halve(from.width, from.height, to, rows, kNothing, bands, set);
 }
 
-// Rows y of twice the size, three parts of the nearer and one of the farther: into `row`.
-const Pixel* between_rows(Level& half, int y, std::vector<Pixel>& row, Set set) {
+// Level 0 is the picture's half; `then` is done to each of its rows.
+template <class Then> void halve(const Target& target, Pyramid& pyramid, Then&& then, const Bands& bands, Set set) {
+    const auto padded = [&](std::vector<Pixel>& line, int y) {
+        std::copy_n(raster::row_of(target, y), target.width, line.data() + kPad);
+        hold_ends(line.data() + kPad, target.width);
+        return line.data() + kPad;
+    };
+    const auto rows = [&](int low, int high, std::size_t band) {
+        Lines& lines = pyramid.lines[band];
+        return std::pair(padded(lines.full, low), padded(lines.other, high));
+    };
+    halve(target.width, target.height, pyramid.levels[0], rows, then, bands, set);
+}
+
+// Row y of twice the size, three parts of the nearer and one of the farther of two rows.
+const Pixel* between_rows(Level& half, int y, Lines& lines, Set set) {
     const int near = y / 2, far = std::clamp(y % 2 ? near + 1 : near - 1, 0, half.height - 1);
-    row.resize(half.stride);
-    EVIL_PICK(set, mix_rows_wide)(row.data(), row_of(half, near) - kPad, row_of(half, far) - kPad,
+    EVIL_PICK(set, mix_rows_wide)(lines.between.data(), row_of(half, near) - kPad, row_of(half, far) - kPad,
                                   static_cast<int>(half.stride - kPad));
-    return row.data() + kPad;
+    return lines.between.data() + kPad;
 }
 
-// What is in `to` gives way to what is in `from`, doubled, by so many parts of 256.
-void double_into(Level& to, Level& from, int share, std::vector<Pixel>& row, Set set) {
-    for (int y = 0; y < to.height; ++y) {
-        EVIL_PICK(set, double_row_wide)(row_of(to, y), between_rows(from, y, row, set), to.width, share);
-        hold_ends(to, y);
-    }
+// What is in level `at` gives way to what is in the one below, doubled, by so many parts of 256.
+void double_into(Pyramid& pyramid, int at, int share, const Bands& bands, Set set) {
+    Level &to = pyramid.levels[at], &from = pyramid.levels[at + 1];
+    each_band(bands, to.width, to.height, [&](const Rows& rows, std::size_t band) {
+        for (int y = rows.first; y < rows.last; ++y) {
+            const Pixel* half = between_rows(from, y, pyramid.lines[band], set);
+            EVIL_PICK(set, double_row_wide)(row_of(to, y), half, to.width, share);
+            hold_ends(row_of(to, y), to.width);
+        }
+    });
 }
 
-void add_double(Level& to, Level& from, std::vector<Pixel>& row, Set set) { // the light of both
-    for (int y = 0; y < to.height; ++y) {
-        EVIL_PICK(set, add_double_row_wide)(row_of(to, y), between_rows(from, y, row, set), to.width);
-        hold_ends(to, y);
-    }
+void add_double(Pyramid& pyramid, int at, const Bands& bands, Set set) { // the light of both
+    Level &to = pyramid.levels[at], &from = pyramid.levels[at + 1];
+    each_band(bands, to.width, to.height, [&](const Rows& rows, std::size_t band) {
+        for (int y = rows.first; y < rows.last; ++y) {
+            const Pixel* half = between_rows(from, y, pyramid.lines[band], set);
+            EVIL_PICK(set, add_double_row_wide)(row_of(to, y), half, to.width);
+            hold_ends(row_of(to, y), to.width);
+        }
+    });
 }
 
-// Halves level after level, from one on; the number of the lowest.
-int descend(Pyramid& pyramid, int from, int to, Set set) {
-    int at = from;
+// Halves level after level, from 0 on, down to one of that number at most; the number of the lowest.
+int descend(Pyramid& pyramid, int to, const Bands& bands, Set set) {
+    int at = 0;
     while (at < to && std::max(pyramid.levels[at].width, pyramid.levels[at].height) > 2) {
-        halve(pyramid.levels[at], pyramid.levels[at + 1], set);
+        halve(pyramid.levels[at], pyramid.levels[at + 1], bands, set);
         ++at;
     }
     return at;
 }
 
-void make_levels(Pyramid& pyramid, int count) {
-    if (pyramid.levels.size() < static_cast<std::size_t>(count)) pyramid.levels.resize(count);
-}
-
 int parts(float share) { return static_cast<int>(256.0f * share + 0.5f); }
 
-// The glow of what is bright, at half the size: in level 1.
-void glow(const Target& target, float threshold, Pyramid& pyramid, Set set) {
-    make_levels(pyramid, kBloomLevels + 1);
-    copy_in(pyramid.levels[0], target);
-    Level& first = pyramid.levels[1];
-    halve(pyramid.levels[0], first, set);
-    for (int y = 0; y < first.height; ++y) {
-        EVIL_PICK(set, keep_bright_wide)(row_of(first, y), first.width, threshold);
-        hold_ends(first, y);
-    }
-    const int lowest = descend(pyramid, 1, kBloomLevels, set);
-    for (int at = lowest - 1; at >= 1; --at) add_double(pyramid.levels[at], pyramid.levels[at + 1], pyramid.row, set);
+// The glow of what is bright, at half the size: in level 0.
+void glow(const Target& target, float threshold, Pyramid& pyramid, const Bands& bands, Set set) {
+    const int width = (target.width + 1) / 2;
+    const auto keep_bright = [&](Pixel* row) { EVIL_PICK(set, keep_bright_wide)(row, width, threshold); };
+    halve(target, pyramid, keep_bright, bands, set);
+    for (int at = descend(pyramid, kBloomLevels - 1, bands, set) - 1; at >= 0; --at)
+        add_double(pyramid, at, bands, set);
 }
 
 } // namespace
@@ -115,46 +138,54 @@ Depth depth_of(float radius) {
     return depth;
 }
 
-void blur(const Target& target, float radius, Pyramid& pyramid, Set set) {
+void blur(const Target& target, float radius, Pyramid& pyramid, const Bands& bands, Set set) {
     const Depth depth = depth_of(radius);
-    if (depth.levels == 0) return;
-    make_levels(pyramid, depth.levels + 1);
-    copy_in(pyramid.levels[0], target);
-    const int lowest = descend(pyramid, 0, depth.levels, set);
-    for (int at = lowest - 1; at >= 0; --at)
-        double_into(pyramid.levels[at], pyramid.levels[at + 1], at == depth.levels - 1 ? parts(depth.share) : 256,
-                    pyramid.row, set);
-    copy_out(pyramid.levels[0], target);
+    if (depth.levels == 0 || std::max(target.width, target.height) <= 2) return;
+    begin(pyramid, depth.levels, target, bands);
+    const auto share_of = [&](int step) { return step == depth.levels ? parts(depth.share) : 256; };
+    halve(target, pyramid, kNothing, bands, set);
+    for (int at = descend(pyramid, depth.levels - 1, bands, set) - 1; at >= 0; --at)
+        double_into(pyramid, at, share_of(at + 2), bands, set);
+    each_band(bands, target.width, target.height, [&](const Rows& rows, std::size_t band) {
+        Lines& lines = pyramid.lines[band];
+        for (int y = rows.first; y < rows.last; ++y) {
+            Pixel* row = raster::row_of(target, y);
+            std::copy_n(row, target.width, lines.full.data());
+            const Pixel* half = between_rows(pyramid.levels[0], y, lines, set);
+            EVIL_PICK(set, double_row_wide)(lines.full.data(), half, target.width, share_of(1));
+            std::copy_n(lines.full.data(), target.width, row);
+        }
+    });
 }
 
 // The bright parts at a quarter of the size, gathered along the ways to the point, in one number a pixel.
-static Greys gathered(const Target& target, const draw::Shafts& shafts, Pyramid& pyramid, Set set) {
-    make_levels(pyramid, 3);
-    copy_in(pyramid.levels[0], target);
-    halve(pyramid.levels[0], pyramid.levels[1], set);
-    halve(pyramid.levels[1], pyramid.levels[2], set);
-    Level& quarter = pyramid.levels[2];
+static Greys gathered(const Target& target, const draw::Shafts& shafts, Pyramid& pyramid, const Bands& bands, Set set) {
+    halve(target, pyramid, kNothing, bands, set);
+    halve(pyramid.levels[0], pyramid.levels[1], bands, set);
+    Level& quarter = pyramid.levels[1];
     std::vector<std::uint8_t>&bright = pyramid.shafts.bright, &other = pyramid.shafts.gathered;
-    bright.resize(static_cast<std::size_t>(quarter.width) * static_cast<std::size_t>(quarter.height));
+    const auto width = static_cast<std::size_t>(quarter.width);
+    bright.resize(width * static_cast<std::size_t>(quarter.height));
     other.resize(bright.size());
     std::array<std::uint8_t, 256> shares;
     for (int channel = 0; channel < 256; ++channel) shares[channel] = beyond(channel, shafts.threshold);
-    std::uint8_t* value = bright.data();
-    for (int y = 0; y < quarter.height; ++y)
-        for (const Pixel pixel : std::span(row_of(quarter, y), static_cast<std::size_t>(quarter.width)))
-            *value++ = shares[std::max({pixel & 255u, pixel >> 8 & 255u, pixel >> 16 & 255u})];
+    each_band(bands, quarter.width, quarter.height, [&](const Rows& rows, std::size_t) {
+        std::uint8_t* value = bright.data() + width * static_cast<std::size_t>(rows.first);
+        for (int y = rows.first; y < rows.last; ++y)
+            for (const Pixel pixel : std::span(row_of(quarter, y), width))
+                *value++ = shares[std::max({pixel & 255u, pixel >> 8 & 255u, pixel >> 16 & 255u})];
+    });
     Greys from{bright.data(), quarter.width, quarter.height};
     Greys to{other.data(), quarter.width, quarter.height};
     for (int pass = 0; pass < kShaftPasses; ++pass) {
-        gather(from, to, 0.25f * shafts.from, shaft_taps(shafts.reach, pass), pyramid.shafts);
+        gather(from, to, 0.25f * shafts.from, shaft_taps(shafts.reach, pass), pyramid.shafts, bands);
         std::swap(from, to);
     }
     return from;
 }
 
-void shine(const Target& target, const draw::Shafts& shafts, Pyramid& pyramid, Set set) {
-    const Greys plane = gathered(target, shafts, pyramid, set);
-    const Glow glow = glow_of(shafts);
+// What each grey of the plane adds to the picture.
+static std::array<Pixel, 256> colours_of(const Glow& glow) {
     std::array<Pixel, 256> colours;
     for (int value = 0; value < 256; ++value) {
         const auto part = [&](float factor) {
@@ -162,44 +193,58 @@ void shine(const Target& target, const draw::Shafts& shafts, Pyramid& pyramid, S
         };
         colours[value] = part(glow.red) | part(glow.green) << 8 | part(glow.blue) << 16;
     }
-    Level &half = pyramid.levels[1], &quarter = pyramid.levels[2];
-    for (int y = 0; y < quarter.height; ++y) {
-        const std::uint8_t* values = plane.values + static_cast<std::size_t>(y) * plane.width;
-        for (int x = 0; x < quarter.width; ++x) row_of(quarter, y)[x] = colours[values[x]];
-        hold_ends(quarter, y);
-    }
-    double_into(half, quarter, 256, pyramid.row, set);
-    pyramid.other.resize(static_cast<std::size_t>(target.width) + 2 * kPad);
-    pyramid.mask.assign(static_cast<std::size_t>(target.width) + kPad, 255);
-    for (int y = 0; y < target.height; ++y) {
-        const Pixel* row = between_rows(half, y, pyramid.row, set);
-        EVIL_PICK(set, double_row_wide)(pyramid.other.data(), row, target.width, 256);
-        screen_row(set, raster::row_of(target, y), pyramid.other.data(), pyramid.mask.data(), target.width);
-    }
+    return colours;
 }
 
-void finish(const Target& target, const draw::Post& post, Pyramid& pyramid, Set set) {
-    if (post.bloom > 0.0f) glow(target, post.threshold, pyramid, set);
-    Finish how{nullptr,
-               0,
-               post.bloom,
-               post.saturation,
-               post.vignette,
-               post.grain,
-               2.0f / static_cast<float>(target.width),
-               2.0f / static_cast<float>(target.height),
-               post.seed,
-               post.table.data()};
-    pyramid.other.resize(static_cast<std::size_t>(target.width) + 2 * kPad);
-    for (int y = 0; y < target.height; ++y) {
-        how.y = y;
-        if (post.bloom > 0.0f) {
-            const Pixel* half = between_rows(pyramid.levels[1], y, pyramid.row, set);
-            EVIL_PICK(set, double_row_wide)(pyramid.other.data(), half, target.width, 256);
-            how.glow = pyramid.other.data();
+void shine(const Target& target, const draw::Shafts& shafts, Pyramid& pyramid, const Bands& bands, Set set) {
+    begin(pyramid, 2, target, bands);
+    const Greys plane = gathered(target, shafts, pyramid, bands, set);
+    const std::array<Pixel, 256> colours = colours_of(glow_of(shafts));
+    Level &half = pyramid.levels[0], &quarter = pyramid.levels[1];
+    each_band(bands, quarter.width, quarter.height, [&](const Rows& rows, std::size_t) {
+        for (int y = rows.first; y < rows.last; ++y) {
+            const std::uint8_t* values = plane.values + static_cast<std::size_t>(y) * plane.width;
+            for (int x = 0; x < quarter.width; ++x) row_of(quarter, y)[x] = colours[values[x]];
+            hold_ends(row_of(quarter, y), quarter.width);
         }
-        EVIL_PICK(set, finish_row_wide)(raster::row_of(target, y), target.width, how);
-    }
+    });
+    double_into(pyramid, 0, 256, bands, set);
+    each_band(bands, target.width, target.height, [&](const Rows& rows, std::size_t band) {
+        Lines& lines = pyramid.lines[band];
+        for (int y = rows.first; y < rows.last; ++y) {
+            const Pixel* row = between_rows(half, y, lines, set);
+            EVIL_PICK(set, double_row_wide)(lines.full.data(), row, target.width, 256);
+            screen_row(set, raster::row_of(target, y), lines.full.data(), lines.mask.data(), target.width);
+        }
+    });
+}
+
+void finish(const Target& target, const draw::Post& post, Pyramid& pyramid, const Bands& bands, Set set) {
+    begin(pyramid, kBloomLevels, target, bands);
+    if (post.bloom > 0.0f) glow(target, post.threshold, pyramid, bands, set);
+    const Finish all{nullptr,
+                     0,
+                     post.bloom,
+                     post.saturation,
+                     post.vignette,
+                     post.grain,
+                     2.0f / static_cast<float>(target.width),
+                     2.0f / static_cast<float>(target.height),
+                     post.seed,
+                     post.table.data()};
+    each_band(bands, target.width, target.height, [&](const Rows& rows, std::size_t band) {
+        Lines& lines = pyramid.lines[band];
+        Finish how = all;
+        for (int y = rows.first; y < rows.last; ++y) {
+            how.y = y;
+            if (post.bloom > 0.0f) {
+                const Pixel* half = between_rows(pyramid.levels[0], y, lines, set);
+                EVIL_PICK(set, double_row_wide)(lines.full.data(), half, target.width, 256);
+                how.glow = lines.full.data();
+            }
+            EVIL_PICK(set, finish_row_wide)(raster::row_of(target, y), target.width, how);
+        }
+    });
 }
 
 } // namespace evil::raster

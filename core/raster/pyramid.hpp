@@ -2,6 +2,7 @@
 // Pictures that are spread out: halved again and again and then doubled, with a blend at each step ("dual filtering",
 // Bjorge 2015; the blend of each step as in Jimenez 2014). A wide blur costs hardly more than a narrow one.
 #include "draw/interludes.hpp"
+#include "raster/bands.hpp"
 #include "raster/shafts.hpp"
 #include "raster/spans.hpp"
 #include <vector>
@@ -14,9 +15,12 @@ struct Pyramid { // scratch: the picture's halves, quarters, ...
         std::vector<Pixel> pixels; // rows are padded to whole lanes and a lane more
         std::size_t stride = 0;
     };
+    struct Lines { // of one row, by band
+        std::vector<Pixel> between, full, other;
+        std::vector<std::int32_t> mask;
+    };
     std::vector<Level> levels;
-    std::vector<Pixel> row, other; // of one level, on the way up
-    std::vector<std::int32_t> mask;
+    std::vector<Lines> lines;
     ShaftScratch shafts;
 };
 
@@ -29,8 +33,8 @@ Depth depth_of(float radius);
 
 inline constexpr int kBloomLevels = 6;
 
-void blur(const Target& target, float radius, Pyramid& pyramid, Set set);
-void shine(const Target& target, const draw::Shafts& shafts, Pyramid& pyramid, Set set);
-void finish(const Target& target, const draw::Post& post, Pyramid& pyramid, Set set);
+void blur(const Target& target, float radius, Pyramid& pyramid, const Bands& bands, Set set);
+void shine(const Target& target, const draw::Shafts& shafts, Pyramid& pyramid, const Bands& bands, Set set);
+void finish(const Target& target, const draw::Post& post, Pyramid& pyramid, const Bands& bands, Set set);
 
 } // namespace evil::raster

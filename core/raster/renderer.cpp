@@ -1,214 +1,166 @@
 #include "raster/renderer.hpp"
 #include "raster/specks.hpp"
 #include <algorithm>
-#include <bit>
-#include <cmath>
 
 namespace evil::raster {
 namespace {
 
-// Untouched blocks in a row between two touched ones from which on the run between is worth a call of its own.
-constexpr int kGap = 2;
-constexpr double kFarthest = 1e15; // pixels; beyond, a double no longer knows where in a pixel it is
+using draw::Interlude;
+using draw::InterludeKind;
 
-// The pixels that the loops may touch, or an empty box if they lie outside or nowhere.
-Box bounds_of(std::span<const Point> points, const Target& target) {
-    double left = kFarthest, top = kFarthest, right = -kFarthest, bottom = -kFarthest;
-    for (const Point& point : points) {
-        if (!(std::fabs(point.x) < kFarthest && std::fabs(point.y) < kFarthest)) return {};
-        left = std::min(left, point.x), right = std::max(right, point.x);
-        top = std::min(top, point.y), bottom = std::max(bottom, point.y);
-    }
-    const double width = target.width, height = target.height;
-    if (!(left < width && right > 0 && top < height && bottom > 0)) return {};
-    return {static_cast<int>(std::floor(std::max(left, 0.0))), static_cast<int>(std::floor(std::max(top, 0.0))),
-            static_cast<int>(std::ceil(std::min(right, width))), static_cast<int>(std::ceil(std::min(bottom, height)))};
-}
+// What drawing costs, in pixels that are filled with a picture, which take about a nanosecond. From kWorthSharing on it is
+// longer than it takes to wake threads, twenty times.
+constexpr double kInstance = 300, kSpeck = 40, kPass = 3, kFill = 0.25, kWorthSharing = 200'000;
+constexpr int kBandsEach = 4;        // bands for each thread: what one thing more here or there costs evens out
+constexpr int kWorthABand = 4096;    // pixels of a pass over the picture
+constexpr int kLeastRows = 16;       // of a band: what lies across its border is set up on both sides
+constexpr std::size_t kLooks = 2048; // things whose place a thread finds at a time
 
-int next_touched(const std::uint64_t* touched, int words, int from) { // the first touched block >= from, or -1
-    for (int word = from / 64; word < words; ++word) {
-        std::uint64_t rest = touched[word];
-        if (word == from / 64) rest &= ~std::uint64_t{0} << (from % 64);
-        if (rest) return word * 64 + std::countr_zero(rest);
-    }
-    return -1;
-}
-
-int cover_of(std::int32_t sum) { // as integrate() does for each pixel
-    const std::int64_t area = std::min<std::int64_t>(std::abs(std::int64_t{sum}), kFullCell);
-    return static_cast<int>((area * 255 + kFullCell / 2) >> 17);
-}
-
-// Draws runs of one row with a paint. The row's colours are worked out once, from its first run on.
-struct Brush {
+// One frame, as all of its bands see it.
+struct Frame {
+    const draw::DrawList& list;
+    std::span<const Texture> textures;
+    const Target& target;
     Scratch& scratch;
-    const draw::Instance& instance;
+    Bands bands;
     Set set;
-    Pixel* line;      // the target's row
-    int y, right;     // where the row's last run ends
-    LightRows* light; // null: it is not lit
-    int start = -1;   // where the first one did
-    Paint& paint = scratch.paint;
-    std::int32_t* mask = scratch.mask.data();
-    draw::Blend blend = instance.blend;
 
-    bool is_plain() const { return is_flat(paint) && !light && instance.glow == 0.0f; }
-    const Pixel* colours(int left) {
-        Pixel* row = scratch.row.data();
-        if (start >= 0) return row + (left - start);
-        start = left;
-        const int count = right - left;
-        if (is_flat(paint))
-            fill(set, row, count, paint.flat);
-        else
-            paint_row(paint, set, y, left, right, row);
-        if (instance.glow > 0.0f) keep_glow(left, row);
-        if (light) light_up(set, row, factors(left), count, dither_at(left, y));
-        if (instance.glow > 0.0f) shine(set, row, scratch.glow.data(), count, instance.glow);
-        return row;
+    const Texture* picture(std::uint32_t id) const {
+        return id != draw::kNoTexture && id < textures.size() ? &textures[id] : nullptr;
     }
-    void keep_glow(int left, const Pixel* unlit) {
-        if (paint.glowing)
-            paint_glow(paint, set, y, left, right, scratch.glow.data());
-        else
-            std::copy_n(unlit, right - left, scratch.glow.begin());
+    bool is_drawn(const draw::Instance& instance) const {
+        return instance.mesh < scratch.sound.size() && scratch.sound[instance.mesh];
     }
-    const std::uint32_t* factors(int left) {
-        const std::uint32_t* flat = row_of(*light, light->light, y, set) + left;
-        if (!paint.bumpy || !light->map->directed) return flat;
-        const Light all{flat, row_of(*light, light->across, y, set) + left, row_of(*light, light->down, y, set) + left};
-        bend_light(paint, set, y, left, right, all, scratch.bent.data());
-        return scratch.bent.data();
-    }
-    void masked(int left, int end) {
-        const int count = end - left;
-        if (blend == draw::Blend::add) return add_row(set, line + left, colours(left), mask, count);
-        if (blend == draw::Blend::multiply) return multiply_row(set, line + left, colours(left), mask, count);
-        if (blend == draw::Blend::screen) return screen_row(set, line + left, colours(left), mask, count);
-        if (is_plain())
-            blend_flat(set, line + left, mask, end - left, paint.flat);
-        else
-            blend_row(set, line + left, colours(left), mask, end - left);
-    }
-    void solid(int left, int end, int cover) {
-        if (blend != draw::Blend::over) {
-            std::fill_n(mask, end - left, cover);
-            return masked(left, end);
-        }
-        if (!is_plain()) return blend_row(set, line + left, colours(left), end - left, cover);
-        const Pixel colour = cover == 255 ? paint.flat : scale_pixel(paint.flat, cover);
-        if (colour >> 24 == 255)
-            fill(set, line + left, end - left, colour);
-        else
-            blend_flat(set, line + left, end - left, colour);
+    LightRows* light() const { return list.light.on ? &scratch.light : nullptr; }
+    void draw(std::uint32_t first, std::uint32_t last, const Strip& strip) const {
+        each_thing(scratch.instances, strip.band, first, last, [&](std::uint32_t i) {
+            const draw::Instance& one = list.instances[i];
+            if (!is_drawn(one)) return;
+            const Pictures pictures{picture(one.texture), picture(one.normals), picture(one.glows)};
+            draw_instance(list, one, pictures, target, strip, light(), set);
+        });
     }
 };
 
-// Turns one row's cells into runs and draws them. Leaves the cells zero.
-void draw_row(Coverage& coverage, int row, Brush& brush) {
-    std::uint64_t* touched = coverage.touched.data() + static_cast<std::size_t>(row) * coverage.words;
-    std::int32_t* cells = coverage.cells.data() + static_cast<std::size_t>(row) * coverage.stride;
-    const int width = coverage.box.right - coverage.box.left, left = coverage.box.left;
-    int block = next_touched(touched, coverage.words, 0);
-    std::int32_t sum = 0;
-    while (block >= 0) {
-        int end = block + 1, next = next_touched(touched, coverage.words, end);
-        while (next >= 0 && next - end < kGap) end = next + 1, next = next_touched(touched, coverage.words, end);
-        const int from = block * kBlock, to = end * kBlock;
-        sum = integrate(brush.set, cells + from, to - from, sum, brush.mask);
-        if (from < width) brush.masked(left + from, left + std::min(to, width));
-        const int solid_end = next >= 0 ? std::min(next * kBlock, width) : width;
-        if (const int cover = cover_of(sum); cover > 0 && to < solid_end)
-            brush.solid(left + to, left + solid_end, cover);
-        block = next;
-    }
-    std::fill_n(touched, coverage.words, std::uint64_t{0});
+// Instances and specks that lie one over the other, with nothing between them that needs the whole picture.
+struct Stretch {
+    std::uint32_t first = 0, last = 0; // instances
+    std::span<const Interlude> specks{};
+};
+
+void draw_stretch(const Frame& frame, const Stretch& stretch, std::optional<Pixel> background) {
+    if (stretch.first == stretch.last && stretch.specks.empty() && !background) return;
+    const Target& target = frame.target;
+    each_band(frame.bands, target.width, target.height, [&](const Rows& rows, std::size_t band) {
+        for (int y = rows.first; background && y < rows.last; ++y)
+            fill(frame.set, row_of(target, y), target.width, *background);
+        const Strip strip{rows, band, frame.scratch.desks[band]};
+        std::uint32_t at = stretch.first;
+        for (const Interlude& one : stretch.specks) {
+            frame.draw(at, one.before, strip);
+            at = one.before;
+            draw_specks(frame.list.interludes.specks, one, frame.scratch.specks, band, rows, target, frame.set);
+        }
+        frame.draw(at, stretch.last, strip);
+    });
 }
 
-// Small things are all over the picture, and each of their rows is far from the one before: the processor is told early.
-constexpr int kAhead = 4, kSmall = 128, kLine = 16; // rows; pixels
-void fetch([[maybe_unused]] Pixel* row, const Box& box) {
-    if (box.right - box.left > kSmall) return;
-#if defined(__GNUC__)
-    for (int x = box.left; x < box.right; x += kLine) __builtin_prefetch(row + x, 1);
-    __builtin_prefetch(row + box.right - 1, 1);
-#endif
-}
-
-void draw_instance(const draw::DrawList& list, const draw::Instance& instance, const Pictures& pictures,
-                   const Target& target, Scratch& scratch, Set set) {
-    const draw::Mesh& mesh = list.meshes[instance.mesh];
-    if (instance.tint >> 24 == 0 || std::isnan(instance.outline)) return;
-    clear(scratch.loops);
-    add_mesh(scratch.loops, list, mesh, instance.to_pixel, instance.outline);
-    Box box = bounds_of(scratch.loops.points, target);
-    if (box.left >= box.right || box.top >= box.bottom) return;
-    const int blocks = (box.right - box.left + kBlock - 1) / kBlock; // whole ones: ends of runs take longer
-    box.right = std::min(box.left + blocks * kBlock, target.width);
-
-    begin(scratch.coverage, box);
-    std::size_t first = 0;
-    for (std::size_t end : scratch.loops.ends) {
-        add_loop(scratch.coverage, std::span(scratch.loops.points).subspan(first, end - first));
-        first = end;
-    }
-    prepare(scratch.paint, list, mesh, instance, pictures);
-    LightRows* light = instance.lit && list.light.on ? &scratch.light : nullptr;
-    for (int y = box.top; y < box.bottom; ++y) {
-        if (y + kAhead < box.bottom) fetch(row_of(target, y + kAhead), box);
-        Brush brush{scratch, instance, set, row_of(target, y), y, box.right, light};
-        draw_row(scratch.coverage, y - box.top, brush);
-    }
-}
-
-void do_interlude(const draw::DrawList& list, const draw::Interlude& one, const Target& target, Scratch& scratch,
-                  Set set) {
-    const draw::Interludes& all = list.interludes;
+void change_all(const Frame& frame, const Interlude& one) { // what has been drawn so far
+    const draw::Interludes& all = frame.list.interludes;
+    Scratch& scratch = frame.scratch;
     switch (one.kind) {
-    case draw::InterludeKind::specks:
-        return draw_specks(all.specks, one, target, set);
-    case draw::InterludeKind::blur:
-        return blur(target, one.radius, scratch.pyramid, set);
-    case draw::InterludeKind::shafts:
-        return shine(target, all.shafts[one.first], scratch.pyramid, set);
-    case draw::InterludeKind::liquid:
-        return draw_liquid(all.liquids[one.first], target, list.light.on ? &scratch.light : nullptr, scratch.liquid,
-                           set);
-    case draw::InterludeKind::post:
-        return finish(target, all.post, scratch.pyramid, set);
+    case InterludeKind::specks:
+        return;
+    case InterludeKind::blur:
+        return blur(frame.target, one.radius, scratch.pyramid, frame.bands, frame.set);
+    case InterludeKind::shafts:
+        return shine(frame.target, all.shafts[one.first], scratch.pyramid, frame.bands, frame.set);
+    case InterludeKind::liquid:
+        return draw_liquid(all.liquids[one.first], frame.target, frame.light(), scratch.liquid, frame.bands, frame.set);
+    case InterludeKind::post:
+        return finish(frame.target, all.post, scratch.pyramid, frame.bands, frame.set);
     }
+}
+
+void draw_all(const Frame& frame, std::optional<Pixel> background) {
+    const auto count = static_cast<std::uint32_t>(frame.list.instances.size());
+    std::span<const Interlude> rest(frame.list.interludes.rows);
+    while (!rest.empty() && rest.back().before > count) rest = rest.first(rest.size() - 1);
+    for (std::uint32_t first = 0;;) {
+        const auto whole =
+            std::ranges::find_if(rest, [](const Interlude& one) { return one.kind != InterludeKind::specks; });
+        const auto specks = static_cast<std::size_t>(whole - rest.begin());
+        const bool over = whole == rest.end();
+        const Stretch stretch{first, over ? count : whole->before, rest.first(specks)};
+        draw_stretch(frame, stretch, background);
+        if (over) return;
+        change_all(frame, *whole);
+        background.reset(), first = stretch.last, rest = rest.subspan(specks + 1);
+    }
+}
+
+bool is_worth_sharing(const Frame& frame) {
+    const draw::DrawList& list = frame.list;
+    const double area = static_cast<double>(frame.target.width) * frame.target.height;
+    double cost = kFill * area + kInstance * static_cast<double>(list.instances.size());
+    for (const Interlude& one : list.interludes.rows)
+        cost += one.kind == InterludeKind::specks ? kSpeck * one.count : kPass * area;
+    for (std::size_t i = 0; i < list.instances.size() && cost < kWorthSharing; ++i) {
+        const draw::Instance& one = list.instances[i];
+        const Box box = frame.is_drawn(one) ? reach_of(list, one, frame.target) : Box{};
+        cost += static_cast<double>(box.right - box.left) * (box.bottom - box.top);
+    }
+    return cost >= kWorthSharing;
+}
+
+void sort_into_bands(const Frame& frame) {
+    const draw::DrawList& list = frame.list;
+    const Target& target = frame.target;
+    Bins &instances = frame.scratch.instances, &specks = frame.scratch.specks;
+    instances.reach.resize(list.instances.size());
+    parallel_for(frame.bands.threads, list.instances.size(), kLooks, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const draw::Instance& one = list.instances[i];
+            const Box box = frame.is_drawn(one) ? reach_of(list, one, target) : Box{};
+            instances.reach[i] = {box.top, box.bottom};
+        }
+    });
+    specks.reach.resize(list.interludes.specks.size());
+    parallel_for(frame.bands.threads, specks.reach.size(), kLooks, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) specks.reach[i] = reach_of(list.interludes.specks[i], target.height);
+    });
+    const int side = side_of(frame.bands, target.width, target.height);
+    sort(instances, side, target.height);
+    sort(specks, side, target.height);
+}
+
+// One band where threads would wake for too little.
+void cut(Bands& bands, const Frame& frame, const How& how) {
+    const int height = frame.target.height, threads = bands.threads.count();
+    if (how.rows > 0)
+        bands.most = (height + how.rows - 1) / how.rows, bands.least = 0;
+    else if (threads > 1 && is_worth_sharing(frame))
+        bands.most = std::clamp(height / kLeastRows, 1, kBandsEach * threads);
 }
 
 } // namespace
 
 void render(const draw::DrawList& list, std::optional<draw::Rgba8> background, std::span<const Texture> textures,
-            const Target& target, Scratch& scratch, Set set) {
-    for (int y = 0; background && y < target.height; ++y)
-        fill(set, row_of(target, y), target.width, premultiply(*background));
-    const std::size_t room = static_cast<std::size_t>(target.width) + 4 * kBlock;
-    if (scratch.mask.size() < room) scratch.mask.resize(room);
-    if (scratch.row.size() < room) scratch.row.resize(room), scratch.glow.resize(room), scratch.bent.resize(room);
+            const Target& target, Scratch& scratch, Threads& threads, const How& how) {
+    scratch.sound.resize(list.meshes.size());
+    for (std::size_t i = 0; i < list.meshes.size(); ++i) scratch.sound[i] = draw::is_sound(list, list.meshes[i]);
+    Frame frame{list, textures, target, scratch, {threads, 1, kWorthABand}, how.set};
+    cut(frame.bands, frame, how);
+    std::optional<Threads::Shift> shift;
+    if (frame.bands.most > 1) shift.emplace(threads);
 
-    begin(scratch.light, list.light, target);
-
-    std::vector<bool> sound(list.meshes.size());
-    for (std::size_t i = 0; i < list.meshes.size(); ++i) sound[i] = draw::is_sound(list, list.meshes[i]);
-    auto interlude = list.interludes.rows.begin();
-    const auto do_interludes = [&](std::size_t before) {
-        for (; interlude != list.interludes.rows.end() && interlude->before <= before; ++interlude)
-            do_interlude(list, *interlude, target, scratch, set);
-    };
-    for (std::size_t i = 0; i < list.instances.size(); ++i) {
-        do_interludes(i);
-        const draw::Instance& instance = list.instances[i];
-        if (instance.mesh >= list.meshes.size() || !sound[instance.mesh]) continue;
-        const auto picture = [&](std::uint32_t id) {
-            return id != draw::kNoTexture && id < textures.size() ? &textures[id] : nullptr;
-        };
-        const Pictures pictures{picture(instance.texture), picture(instance.normals), picture(instance.glows)};
-        draw_instance(list, instance, pictures, target, scratch, set);
-    }
-    do_interludes(list.instances.size());
+    const auto bands = static_cast<std::size_t>(frame.bands.most);
+    if (scratch.desks.size() < bands) scratch.desks.resize(bands);
+    for (Desk& desk : std::span(scratch.desks).first(bands)) make_room(desk, target.width);
+    begin(scratch.light, list.light, target, frame.bands);
+    scratch.instances.ends.clear(), scratch.specks.ends.clear();
+    if (bands > 1) sort_into_bands(frame);
+    draw_all(frame, background ? std::optional(premultiply(*background)) : std::nullopt);
 }
 
 void unpremultiply(std::span<Pixel> pixels) noexcept {

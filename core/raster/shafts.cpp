@@ -22,6 +22,27 @@ Between towards(int pixel, float point, float share, int count) {
     return between(middle + share * (point - middle), count);
 }
 
+struct Places { // by column: after which pixel of a row, and how far
+    const std::int32_t* first;
+    const float* part;
+};
+
+// Adds what one tap of a row sees.
+void add_tap(const Greys& above, const Between& down, float weight, const Places& places, ShaftScratch::Lines& lines) {
+    const std::size_t width = static_cast<std::size_t>(above.width);
+    const std::uint8_t* high = above.values + static_cast<std::size_t>(down.first) * width;
+    const std::uint8_t* low = down.first + 1 < above.height ? high + width : high;
+    const float upper = weight * (1.0f - down.part), lower = weight * down.part;
+    float *row = lines.row.data(), *sum = lines.sum.data();
+    for (std::size_t x = 0; x < width; ++x)
+        row[x] = upper * static_cast<float>(high[x]) + lower * static_cast<float>(low[x]);
+    row[width] = row[width - 1];
+    for (std::size_t x = 0; x < width; ++x) {
+        const float left = row[places.first[x]], right = row[places.first[x] + 1];
+        sum[x] += left + places.part[x] * (right - left);
+    }
+}
+
 } // namespace
 
 ShaftTaps shaft_taps(float reach, int pass) {
@@ -38,40 +59,31 @@ ShaftTaps shaft_taps(float reach, int pass) {
     return taps;
 }
 
-void gather(const Greys& above, const Greys& to, Vec2 from, const ShaftTaps& taps, ShaftScratch& scratch) {
+void gather(const Greys& above, const Greys& to, Vec2 from, const ShaftTaps& taps, ShaftScratch& scratch,
+            const Bands& bands) {
     const std::size_t width = static_cast<std::size_t>(to.width);
     scratch.first.resize(kShaftTaps * width);
     scratch.part.resize(kShaftTaps * width);
-    scratch.row.resize(width + 1);
-    scratch.sum.resize(width);
     for (int tap = 0; tap < kShaftTaps; ++tap)
         for (std::size_t x = 0; x < width; ++x) {
             const Between place = towards(static_cast<int>(x), from.x, taps.at[tap], to.width);
             scratch.first[tap * width + x] = place.first;
             scratch.part[tap * width + x] = place.part;
         }
-    float *row = scratch.row.data(), *sum = scratch.sum.data();
-    for (int y = 0; y < to.height; ++y) {
-        std::fill_n(sum, width, 0.5f);
-        for (int tap = 0; tap < kShaftTaps; ++tap) {
-            const Between place = towards(y, from.y, taps.at[tap], to.height);
-            const std::uint8_t* high = above.values + static_cast<std::size_t>(place.first) * width;
-            const std::uint8_t* low = place.first + 1 < to.height ? high + width : high;
-            const float weight = taps.weight[tap], upper = weight * (1.0f - place.part), lower = weight * place.part;
+    if (scratch.lines.size() < static_cast<std::size_t>(bands.most)) scratch.lines.resize(bands.most);
+    for (ShaftScratch::Lines& lines : scratch.lines) lines.row.resize(width + 1), lines.sum.resize(width);
+    each_band(bands, to.width, to.height, [&](const Rows& rows, std::size_t band) {
+        ShaftScratch::Lines& lines = scratch.lines[band];
+        for (int y = rows.first; y < rows.last; ++y) {
+            std::ranges::fill(lines.sum, 0.5f);
+            for (int tap = 0; tap < kShaftTaps; ++tap)
+                add_tap(above, towards(y, from.y, taps.at[tap], to.height), taps.weight[tap],
+                        {scratch.first.data() + tap * width, scratch.part.data() + tap * width}, lines);
+            std::uint8_t* result = to.values + static_cast<std::size_t>(y) * width;
             for (std::size_t x = 0; x < width; ++x)
-                row[x] = upper * static_cast<float>(high[x]) + lower * static_cast<float>(low[x]);
-            row[width] = row[width - 1];
-            const std::int32_t* first = scratch.first.data() + tap * width;
-            const float* part = scratch.part.data() + tap * width;
-            for (std::size_t x = 0; x < width; ++x) {
-                const float left = row[first[x]], right = row[first[x] + 1];
-                sum[x] += left + part[x] * (right - left);
-            }
+                result[x] = static_cast<std::uint8_t>(static_cast<std::int32_t>(lines.sum[x]));
         }
-        std::uint8_t* result = to.values + static_cast<std::size_t>(y) * width;
-        for (std::size_t x = 0; x < width; ++x)
-            result[x] = static_cast<std::uint8_t>(static_cast<std::int32_t>(sum[x]));
-    }
+    });
 }
 
 Glow glow_of(const draw::Shafts& shafts) {

@@ -6,6 +6,7 @@
 // and in passes of a few samples each, of which every one sees what the one before it has gathered (Sousa, "Crysis Next
 // Gen Effects", GDC 2008): three of five are as good as 125.
 #include "draw/interludes.hpp"
+#include "raster/bands.hpp"
 #include <cstdint>
 #include <vector>
 
@@ -21,8 +22,12 @@ ShaftTaps shaft_taps(float reach, int pass);
 
 struct ShaftScratch { // losing it changes nothing
     std::vector<std::uint8_t> bright, gathered;
-    std::vector<std::int32_t> first;
-    std::vector<float> part, row, sum;
+    std::vector<std::int32_t> first; // of a pass, by tap and column
+    std::vector<float> part;
+    struct Lines { // of one row, by band
+        std::vector<float> row, sum;
+    };
+    std::vector<Lines> lines;
 };
 
 struct Greys { // one number a pixel, 0..255
@@ -31,7 +36,8 @@ struct Greys { // one number a pixel, 0..255
 };
 
 // One pass, from one plane into another of that size. `from` is in their pixels.
-void gather(const Greys& above, const Greys& to, Vec2 from, const ShaftTaps& taps, ShaftScratch& scratch);
+void gather(const Greys& above, const Greys& to, Vec2 from, const ShaftTaps& taps, ShaftScratch& scratch,
+            const Bands& bands);
 
 struct Glow { // what a plane of 255 adds, 0..1 and more
     float red, green, blue;

@@ -349,7 +349,7 @@ static EVIL_INLINE void draw_speck(const raster::Target& target, const raster::S
     const Channels source = split(Ints(static_cast<std::int32_t>(paint.colour)));
     const Floats lanes = to_float(lane_numbers());
     const int count = paint.box.right - paint.box.left;
-    for (int y = paint.box.top; y < paint.box.bottom; ++y) {
+    for (int y = paint.rows.first; y < paint.rows.last; ++y) {
         const float down = static_cast<float>(y - paint.box.top);
         Pixel* row = row_of(target, y) + paint.box.left;
         for (int i = 0; i < count; i += 8) {

@@ -33,15 +33,25 @@ bool place(SpeckPaint& paint, const draw::Speck& speck, bool disc, const Target&
 
 } // namespace
 
-void draw_specks(std::span<const draw::Speck> specks, const draw::Interlude& run, const Target& target, Set set) {
+Rows reach_of(const draw::Speck& speck, int height) {
+    const float reach = std::max(std::fabs(speck.along.x) + std::fabs(speck.along.y), speck.across) + 1.0f;
+    const float top = speck.at.y - reach, bottom = speck.at.y + reach, end = static_cast<float>(height);
+    if (!(bottom > 0.0f && top < end)) return {}; // nor what is no number
+    return {static_cast<int>(std::max(top, 0.0f)), static_cast<int>(std::ceil(std::min(bottom, end)))};
+}
+
+void draw_specks(std::span<const draw::Speck> specks, const draw::Interlude& run, const Bins& bins, std::size_t band,
+                 const Rows& rows, const Target& target, Set set) {
     SpeckPaint paint{};
     paint.blend = run.blend;
-    for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+    each_thing(bins, band, run.first, run.first + run.count, [&](std::uint32_t i) {
         const draw::Speck& speck = specks[i];
-        if (!place(paint, speck, run.form == draw::SpeckForm::disc, target)) continue;
+        if (!place(paint, speck, run.form == draw::SpeckForm::disc, target)) return;
+        paint.rows = {std::max(paint.box.top, rows.first), std::min(paint.box.bottom, rows.last)};
+        if (paint.rows.first >= paint.rows.last) return;
         paint.colour = premultiply(speck.colour);
         EVIL_PICK(set, speck_wide)(target, paint);
-    }
+    });
 }
 
 } // namespace evil::raster

@@ -1728,7 +1728,14 @@ class DrawList:
 class Raster:
     """The software renderer; evilengine.renderer.soft is its face."""
 
-    def __init__(self) -> None: ...
+    def __init__(self, threads: int = 1) -> None: ...
+
+    @property
+    def threads(self) -> int:
+        """How many threads may share in a picture."""
+
+    @threads.setter
+    def threads(self, arg: int, /) -> None: ...
 
     def upload(self, pixels: object, width: int, height: int) -> int:
         """
@@ -1741,9 +1748,9 @@ class Raster:
     def release(self, texture: int) -> None:
         """Forget a picture."""
 
-    def draw(self, list: DrawList, pixels: object, width: int, height: int, background: int | None = 4278190080, instructions: str = '', part: tuple[int, int, int, int] | None = None) -> None:
+    def draw(self, list: DrawList, pixels: object, width: int, height: int, background: int | None = 4278190080, instructions: str = '', part: tuple[int, int, int, int] | None = None, rows: int = 0) -> None:
         """
-        Draw into `pixels`, rows of r, g, b, a multiplied with alpha, over what is there if background is None; `instructions` forces one instruction set, and `part` is the left, top, width and height drawn into.
+        Draw into `pixels`, rows of r, g, b, a multiplied with alpha, over what is there if background is None; `instructions` forces one instruction set, `part` is the left, top, width and height drawn into, and `rows` is how many of them a thread takes at a time, 0 for as many as suit the frame: it changes no pixel.
         """
 
 def unpremultiply(pixels: object) -> None:

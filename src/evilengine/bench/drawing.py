@@ -53,11 +53,12 @@ class Painter(Protocol):
 class Ours:
     """Bodies that the world moves, and drawings on them."""
 
-    def __init__(self, renderer: str, sprites: Sequence[Sprite], file: Path) -> None:
+    def __init__(self, renderer: str, sprites: Sequence[Sprite], file: Path, threads: int = 1) -> None:
         from evilengine.game import Game
 
-        self.name = f"evil {renderer}"
-        self.game = Game(headless=True, renderer=renderer, size=SIZE, gravity=(0, 0), folder=file.parent)
+        self.name = lit.name_of(renderer, threads)
+        kept: dict[str, Any] = {"size": SIZE, "gravity": (0, 0), "folder": file.parent}
+        self.game = Game(headless=True, renderer=renderer, threads=threads, **kept)
         square = Rectangle(SIDE / METRE, SIDE / METRE)
         for each in sprites:
             body = self.game.world.add(
@@ -128,6 +129,7 @@ def measure(
 def _painters(sprites: Sequence[Sprite], file: Path, peers: Iterable[str]) -> tuple[list[Any], list[str]]:
     painters: list[Any] = [Ours("soft", sprites, file)]
     missing = []
+    painters += [Ours("soft", sprites, file, threads) for threads in lit.more_threads()]
     makers: list[tuple[str, Callable[[], Any]]] = [("gl", lambda: Ours("gl", sprites, file))]
     makers += [(name, lambda kind=PEERS[name]: kind(sprites, file)) for name in peers]  # type: ignore[misc]
     for name, make in makers:

@@ -29,11 +29,11 @@ LIFE = 2.0  # seconds of a particle
 class Frames:
     """A game that `evil bench` steps and draws."""
 
-    def __init__(self, renderer: str, size: tuple[int, int]) -> None:
+    def __init__(self, renderer: str, size: tuple[int, int], threads: int) -> None:
         from evilengine.game import Game
 
-        self.name = f"evil {renderer}"
-        self.game = Game(headless=True, renderer=renderer, size=size, gravity=(0, 0))
+        self.name = name_of(renderer, threads)
+        self.game = Game(headless=True, renderer=renderer, size=size, gravity=(0, 0), threads=threads)
         if self.game.renderer.name != renderer:
             raise DeviceError(f"{renderer}: there is no driver for it here")
 
@@ -58,8 +58,8 @@ class Frames:
 class Lit(Frames):
     """Boxes and balls that turn and drift between lamps, all lit and all casting shadows."""
 
-    def __init__(self, renderer: str, count: int, quality: str) -> None:
-        super().__init__(renderer, SIZE)
+    def __init__(self, renderer: str, count: int, quality: str, threads: int = 1) -> None:
+        super().__init__(renderer, SIZE, threads)
         game, dice = self.game, random.Random(count)
         half = (SIZE[0] / 2 / METRE, SIZE[1] / 2 / METRE)
 
@@ -86,12 +86,25 @@ class Lit(Frames):
 class Specks(Frames):
     """A fountain of particles that shine."""
 
-    def __init__(self, renderer: str, count: int) -> None:
-        super().__init__(renderer, (1280, 720))
+    def __init__(self, renderer: str, count: int, threads: int = 1) -> None:
+        super().__init__(renderer, (1280, 720), threads)
         self.game.add_particles(
             at=(0, -2), rate=count / LIFE, life=LIFE, speed=4, cone=1.5, size=[0.06, 0.02], blend="add", most=count
         )
         self.game.step(round(LIFE / STEP) + 2)
+
+
+def name_of(renderer: str, threads: int) -> str:
+    """What a table calls it."""
+    return f"evil {renderer}" if threads == 1 else f"evil {renderer}, {threads} threads"
+
+
+def more_threads() -> tuple[int, ...]:
+    """How many a game would draw with by itself, unless that is one."""
+    from evilengine.renderer import threads_for_pictures
+
+    threads = threads_for_pictures(None, "bench")
+    return (threads,) if threads > 1 else ()
 
 
 def show(game: Game) -> None:
@@ -106,11 +119,11 @@ def show(game: Game) -> None:
 def measure(most: int, frames: int, patience: float, tell: Callable[[str], None]) -> list[dict[str, Any]]:
     """A row for each quality of light and one of particles; at most `most` bodies and fifty times as many specks."""
     crowd, specks = min(CROWD, most), min(SPECKS, 50 * most)
-    made: list[tuple[str, int, Callable[[str], Frames]]] = [
-        (f"{LIGHTS} lights, {quality}", crowd, lambda renderer, q=quality: Lit(renderer, crowd, q))  # type: ignore[misc]
+    made: list[tuple[str, int, Callable[[str, int], Frames]]] = [
+        (f"{LIGHTS} lights, {quality}", crowd, lambda renderer, n, q=quality: Lit(renderer, crowd, q, n))  # type: ignore[misc]
         for quality in QUALITIES
     ]
-    made.append(("particles", specks, lambda renderer: Specks(renderer, specks)))
+    made.append(("particles", specks, lambda renderer, n: Specks(renderer, specks, n)))
     rows = []
     for scene, count, make in made:
         tell(f"{count} {scene}")
@@ -122,8 +135,8 @@ def measure(most: int, frames: int, patience: float, tell: Callable[[str], None]
     return rows
 
 
-def _painters(make: Callable[[str], Frames]) -> Sequence[Frames]:
-    painters = [make("soft")]
+def _painters(make: Callable[[str, int], Frames]) -> Sequence[Frames]:
+    painters = [make("soft", threads) for threads in (1, *more_threads())]
     with contextlib.suppress(DeviceError):  # said of the sprites already
-        painters.append(make("gl"))
+        painters.append(make("gl", 1))
     return painters

@@ -21,7 +21,7 @@ from evilengine.game.screen import GameScreen
 from evilengine.game.stage import STAGE, keep_pace, open_device, script_folder, to_path
 from evilengine.game.things import Things
 from evilengine.platform import Device, HeadlessDevice
-from evilengine.renderer import open_renderer
+from evilengine.renderer import open_renderer, threads_for_pictures
 from evilengine.save import Functions, Recorder, Replay, Slots
 from evilengine.scene import Camera, DrawnBody, Panel, Scene, Views, collect_views
 from evilengine.timer import Clock, Schedule
@@ -53,7 +53,9 @@ class Game(Life, GameScreen, Controls, Things):
     "gl" (the graphics card), "soft" (the processor), or "auto": the card if there is one. `sound` is "auto" (the sound
     card, and none where there is no window), "none", or the name of a .wav file to write. With `tilt=True` gravity
     follows how the device is held, or the arrow keys, wheel or stick that stand in for it. `seed` starts
-    `game.random`. Files are found beside the script that runs, or in `folder`.
+    `game.random`. `threads` (1 to 256) share in steps, and in pictures that no card draws, which come out to the same
+    bits however many they are; None stands for one in steps, and in pictures for as many as the machine has, four at
+    most. Files are found beside the script that runs, or in `folder`.
 
     Its callbacks are decorators. Each step: `on_key_press(key)`, `on_key_release(key)`, `on_pointer(pointer)`,
     `on_touch(touch)`, `on_tilt(tilt)` and `on_shake()` for what the player did, then the timer's events, then
@@ -84,7 +86,7 @@ class Game(Life, GameScreen, Controls, Things):
         gravity: Point = (0.0, -9.81),
         view_height: float | None = None,
         seed: int = 0,
-        threads: int = 1,
+        threads: int | None = None,
         sleep: bool = True,
         fullscreen: bool = False,
         folder: str | Path | None = None,
@@ -96,9 +98,10 @@ class Game(Life, GameScreen, Controls, Things):
             raise ArgumentTypeError(f"Game: folder={folder!r} must be a path, or None for the folder of the script")
         super().__init__()
         self.title = title
-        self.world = World(gravity, threads=threads, sleep=sleep)
+        drawing = threads_for_pictures(threads, "Game")
+        self.world = World(gravity, threads=threads or 1, sleep=sleep)
         self.world._body_type = DrawnBody
-        self.renderer = open_renderer(renderer)
+        self.renderer = open_renderer(renderer, threads=drawing)
         self.folder = script_folder() if folder is None else Path(folder)
         self.camera = Camera(view_height=view_height)
         output = open_output(sound)

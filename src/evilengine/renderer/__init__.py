@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import os
 from typing import Protocol
 
-from evilengine.values.checks import one_of
+from evilengine.values.checks import one_of, parts
 from evilengine.values.drawlist import DrawList
 from evilengine.values.image import Image
 from evilengine.values.surface import Shows, Surface
 
 RENDERERS = ("auto", "gl", "soft")
+
+MOST_THREADS = 4
+"""How many threads a picture takes by itself: more are kept for what else the machine does."""
 
 
 class Renderer(Protocol):
@@ -55,12 +59,21 @@ class Renderer(Protocol):
         """Let go of textures and target. Nothing may be drawn after."""
 
 
-def open_renderer(name: str = "auto") -> Renderer:
+def threads_for_pictures(threads: int | None, owner: str) -> int:
+    """How many threads share in what is seen: `threads`, or where that is None what the machine has, four at most."""
+    if threads is not None:
+        return parts(threads, owner, "threads")
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return min(cores, MOST_THREADS)
+
+
+def open_renderer(name: str = "auto", *, threads: int | None = None) -> Renderer:
     """The renderer called `name`. Raises ArgumentError for an unknown name.
 
     "auto" draws on the graphics card where there is one, and in software where there is none or only a driver that
     plays one on the processor. "gl" takes any driver. Where it can have none, or loses it, a game goes on in software,
-    with a line on the terminal that says so. "soft" gives the same bits on every machine.
+    with a line on the terminal that says so. "soft" gives the same bits on every machine and with any number of
+    `threads`, 1 to 256; None stands for as many as the machine has, four at most.
 
     >>> open_renderer("soft").name
     'soft'
@@ -68,7 +81,7 @@ def open_renderer(name: str = "auto") -> Renderer:
     if one_of(name, "open_renderer", "name", RENDERERS) == "soft":
         from evilengine.renderer.soft import SoftRenderer
 
-        return SoftRenderer()
+        return SoftRenderer(threads_for_pictures(threads, "open_renderer"))
     from evilengine.renderer.steady import SteadyRenderer
 
-    return SteadyRenderer(software=name == "gl")
+    return SteadyRenderer(software=name == "gl", threads=threads_for_pictures(threads, "open_renderer"))

@@ -26,11 +26,13 @@ _NOTHING = Image.of(1, 1, bytes(4))  # takes the place of a texture that was rel
 class SteadyRenderer:
     """Behaves as `Renderer` says. Nothing is opened before something is drawn or kept for drawing.
 
-    With `software=False` a driver that is itself a program on the processor counts as none: `soft` is faster.
+    With `software=False` a driver that is itself a program on the processor counts as none: `soft` is faster. That
+    draws on `threads`.
     """
 
-    def __init__(self, *, software: bool = True, notice: Callable[[str], None] | None = None) -> None:
+    def __init__(self, *, software: bool = True, threads: int = 1, notice: Callable[[str], None] | None = None) -> None:
         self._software = software
+        self._threads = threads
         self._notice = notice or _print
         self._surface: Surface | None = None
         self._backend: Renderer | None = None
@@ -122,7 +124,7 @@ class SteadyRenderer:
                 self._notice(f"the graphics driver gave up ({error}); it goes on in software")
                 self._failed, backend = True, None
             if backend is None:
-                backend = SoftRenderer()
+                backend = SoftRenderer(self._threads)
                 self._hand_over(backend)
             self._backend = backend
         return self._backend

@@ -15,10 +15,10 @@ P = ParamSpec("P")
 R = TypeVar("R")
 
 
-def parts(value: object, owner: str) -> int:
-    """`value` as a number of substeps; raises ArgumentError unless it is a whole number from 1 to 256."""
+def parts(value: object, owner: str, argument: str = "substeps") -> int:
+    """`value` as a number of substeps or threads; raises ArgumentError unless it is a whole number from 1 to 256."""
     if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= 256:
-        raise ArgumentError(f"{owner}: substeps={value!r} must be a whole number from 1 to 256")
+        raise ArgumentError(f"{owner}: {argument}={value!r} must be a whole number from 1 to 256")
     return value
 
 

@@ -64,9 +64,7 @@ class World(Queries, Happenings, Cast, Waters):
         self._step = StepInProgress()
         self.gravity = to_vec2(gravity, "World", "gravity")
         self.sleep = sleep
-        if isinstance(threads, bool) or not isinstance(threads, int) or not 1 <= threads <= 256:
-            raise ArgumentError(f"World: threads={threads!r} must be a whole number from 1 to 256")
-        self._core.threads = threads
+        self._core.threads = parts(threads, "World", "threads")
 
     # -- what it is --
 

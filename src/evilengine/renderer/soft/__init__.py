@@ -17,6 +17,9 @@ _NOTHING = _core.DrawList()
 class SoftRenderer:
     """Draws with `core/raster`: exact area coverage, bilinear textures, sRGB blending. Behaves as `Renderer` says.
 
+    `threads` (1 to 256) share in each picture, which comes out to the same bits however many they are; one that costs
+    little is drawn by one.
+
     >>> shapes = _core.DrawList()
     >>> shapes.instance(shapes.circle(1.0), (8, 0, 0, 8, 16, 16), tint=0xFF0000FF)
     >>> renderer = SoftRenderer()
@@ -28,10 +31,15 @@ class SoftRenderer:
     name = "soft"
     draw_calls = 0
 
-    def __init__(self) -> None:
-        self._raster = _core.Raster()
+    def __init__(self, threads: int = 1) -> None:
+        self._raster = _core.Raster(threads)
         self._size = (1, 1)
         self._pixels = bytearray(4)
+
+    @property
+    def threads(self) -> int:
+        """How many may share in a picture."""
+        return self._raster.threads
 
     def attach(self, surface: Surface | None) -> None:
         """Pictures are all that this renderer makes: a window's GL context is of no use to it."""
@@ -92,5 +100,5 @@ class SoftRenderer:
 
     def close(self) -> None:
         """Let go of textures and target."""
-        self._raster = _core.Raster()
+        self._raster = _core.Raster(self._raster.threads)
         self._resize(1, 1)
