@@ -1,6 +1,8 @@
 #pragma once
 // What the handles of fluids have in common.
 #include "bind/handle.hpp"
+#include "bind/values.hpp"
+#include "fluid/smoke.hpp"
 #include "fluid/water/water.hpp"
 #include <nanobind/stl/tuple.h>
 
@@ -58,6 +60,43 @@ template <class H> void bind_handle(nb::class_<H>& c) {
         self->born = row(*self).born;
     });
     bind_identity(c);
+}
+
+// Those of a table's rows that belong to something in a slot.
+template <class Row>
+std::vector<std::uint32_t> slots_of_owner(const Slots& slots, const std::vector<Row>& rows, std::uint32_t Row::* owner,
+                                          std::uint32_t slot) {
+    std::vector<std::uint32_t> list = taken_slots(slots);
+    std::erase_if(list, [&](std::uint32_t i) { return rows[i].*owner != slot; });
+    return list;
+}
+
+// A velocity that gas and liquid may have.
+inline Vec2 to_flow(nb::handle value, const char* owner, const char* name) {
+    const Vec2 wanted = to_vec2(value, owner, name);
+    if (length(wanted) > 1e4f)
+        raise(ErrorKind::argument, std::string(owner) + ": " + name + " must be at most 1e4 m/s");
+    return wanted;
+}
+
+template <class H> void bind_destroy(nb::class_<H>& c, void (*destroy)(World&, std::uint32_t)) {
+    c.def("_destroy", [destroy](H& h) {
+        require_alive(h);
+        h.died = h.world->steps, h.buried = true;
+        destroy(*h.world, h.ref.slot);
+    });
+}
+
+// What sources and streams have in common.
+template <class H> void bind_flow(nb::class_<H>& c, const char* owner, const char* running) {
+    def_value(
+        c, "running", kSwitch, [](const H& h) { return row(h).running; },
+        [owner](const H& h, nb::handle value) {
+            const bool wanted = to_bool(value, owner, "running");
+            row(h).running = wanted;
+        },
+        running);
+    c.def_prop_ro("_body", [](const H& h) { return row(h).body; });
 }
 
 } // namespace evil::bind

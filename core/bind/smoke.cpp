@@ -133,8 +133,7 @@ void bind_gas(nb::class_<SmokeHandle>& c) {
     def_value(
         c, "wind", kPoint, [](const SmokeHandle& h) { return from_vec2(row(h).gas.wind); },
         [](const SmokeHandle& h, nb::handle value) {
-            const Vec2 wind = to_vec2(value, "Smoke", "wind");
-            if (length(wind) > 1e4f) raise(ErrorKind::argument, "Smoke: wind must be at most 1e4 m/s");
+            const Vec2 wind = to_flow(value, "Smoke", "wind");
             row(h).gas.wind = wind;
         },
         "m/s that it is drawn towards.");
@@ -199,11 +198,8 @@ nb::bytes paint(const SmokeHandle& h, const RampOf& colours, float scale, bool h
 
 std::vector<std::uint32_t> sources_of(const SmokeHandle& h) {
     (void)row(h);
-    std::vector<std::uint32_t> list;
     const Fluids& all = h.world->fluids;
-    for (std::uint32_t i = 0; i < all.source_slots.size(); ++i)
-        if (all.source_slots.taken(i) && all.sources[i].smoke == h.ref.slot) list.push_back(i);
-    return list;
+    return slots_of_owner(all.source_slots, all.sources, &fluid::Source::smoke, h.ref.slot);
 }
 
 using BlazeRow = std::tuple<std::uint32_t, float, float, float, float>;
@@ -283,11 +279,7 @@ void register_smokes(nb::module_& module) {
         fluid::destroy_smoke(*h.world, h.ref.slot);
         h.world->fluids.next_serial = serial;
     });
-    c.def("_destroy", [](SmokeHandle& h) {
-        require_alive(h);
-        h.died = h.world->steps, h.buried = true;
-        fluid::destroy_smoke(*h.world, h.ref.slot);
-    });
+    bind_destroy(c, &fluid::destroy_smoke);
     module.def("add_smoke", &make, nb::arg("world"), nb::kw_only(), nb::arg("nx"), nb::arg("ny"), nb::arg("low"),
                nb::arg("cell"), nb::arg("method"), nb::arg("quality"), nb::arg("open"), nb::arg("side_speeds"),
                nb::arg("stick"), nb::arg("colour"));
@@ -316,26 +308,14 @@ void register_sources(nb::module_& module) {
             return from_vec2(row(h).velocity);
         },
         [](const SourceHandle& h, nb::handle value) {
-            const Vec2 wanted = value.is_none() ? Vec2{} : to_vec2(value, "Source", "velocity");
-            if (length(wanted) > 1e4f) raise(ErrorKind::argument, "Source: velocity must be at most 1e4 m/s");
+            const Vec2 wanted = value.is_none() ? Vec2{} : to_flow(value, "Source", "velocity");
             row(h).blows = !value.is_none();
             row(h).velocity = wanted;
         },
         "m/s that gas in it is given, beside its body's own; None: it leaves the gas as it moves.");
-    def_value(
-        c, "running", kSwitch, [](const SourceHandle& h) { return row(h).running; },
-        [](const SourceHandle& h, nb::handle value) {
-            const bool wanted = to_bool(value, "Source", "running");
-            row(h).running = wanted;
-        },
-        "Does it give anything now?");
-    c.def_prop_ro("_body", [](const SourceHandle& h) { return row(h).body; });
+    bind_flow(c, "Source", "Does it give anything now?");
     c.def_prop_ro("_colour", [](const SourceHandle& h) { return from_colour(row(h).colour); });
-    c.def("_destroy", [](SourceHandle& h) {
-        require_alive(h);
-        h.died = h.world->steps, h.buried = true;
-        fluid::destroy_source(*h.world, h.ref.slot);
-    });
+    bind_destroy(c, &fluid::destroy_source);
     module.def("add_source", &make_source, nb::arg("world"), nb::kw_only(), nb::arg("smoke"), nb::arg("body"),
                nb::arg("shape"), nb::arg("at"), nb::arg("angle"), nb::arg("rate"), nb::arg("fuel"),
                nb::arg("temperature"), nb::arg("velocity").none(), nb::arg("colour"));

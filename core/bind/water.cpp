@@ -222,15 +222,10 @@ void register_waters(nb::module_& module) {
     });
     c.def("_streams", [](const WaterHandle& h) {
         (void)row(h);
-        std::vector<std::uint32_t> list = taken_slots(h.world->fluids.stream_slots);
-        std::erase_if(list, [&](std::uint32_t i) { return h.world->fluids.streams[i].water != h.ref.slot; });
-        return list;
+        const Fluids& all = h.world->fluids;
+        return slots_of_owner(all.stream_slots, all.streams, &fluid::Stream::water, h.ref.slot);
     });
-    c.def("_destroy", [](WaterHandle& h) {
-        require_alive(h);
-        h.died = h.world->steps, h.buried = true;
-        fluid::destroy_water(*h.world, h.ref.slot);
-    });
+    bind_destroy(c, &fluid::destroy_water);
     module.attr("MOST_PARTICLES") = fluid::kMostParticles;
     module.attr("MOST_LIQUIDS_OF_WATER") = fluid::kMostLiquids;
     module.def("add_water", &make, nb::arg("world"), nb::kw_only(), nb::arg("nx"), nb::arg("ny"), nb::arg("low"),
@@ -257,28 +252,16 @@ void register_streams(nb::module_& module) {
     def_value(
         c, "velocity", kPoint, [](const StreamHandle& h) { return from_vec2(row(h).velocity); },
         [](const StreamHandle& h, nb::handle value) {
-            const Vec2 wanted = to_vec2(value, "Stream", "velocity");
-            if (length(wanted) > 1e4f) raise(ErrorKind::argument, "Stream: velocity must be at most 1e4 m/s");
+            const Vec2 wanted = to_flow(value, "Stream", "velocity");
             row(h).velocity = wanted;
         },
         "m/s that liquid comes out with, beside its body's own; of one that drains it means nothing.");
-    def_value(
-        c, "running", kSwitch, [](const StreamHandle& h) { return row(h).running; },
-        [](const StreamHandle& h, nb::handle value) {
-            const bool wanted = to_bool(value, "Stream", "running");
-            row(h).running = wanted;
-        },
-        "Does it pour, or drain, now?");
+    bind_flow(c, "Stream", "Does it pour, or drain, now?");
     c.def_prop_ro("_rate", [](const StreamHandle& h) { return row(h).rate; });
     c.def("_set_rate", [](const StreamHandle& h, float rate) { row(h).rate = rate; });
     c.def_prop_ro("_water", [](const StreamHandle& h) { return row(h).water; });
-    c.def_prop_ro("_body", [](const StreamHandle& h) { return row(h).body; });
     c.def_prop_ro("_liquid", [](const StreamHandle& h) { return row(h).liquid; });
-    c.def("_destroy", [](StreamHandle& h) {
-        require_alive(h);
-        h.died = h.world->steps, h.buried = true;
-        fluid::destroy_stream(*h.world, h.ref.slot);
-    });
+    bind_destroy(c, &fluid::destroy_stream);
     module.attr("MOST_POURING") = fluid::kMostPouring;
     module.def("add_stream", &make_stream, nb::arg("world"), nb::kw_only(), nb::arg("water"), nb::arg("body"),
                nb::arg("shape"), nb::arg("at"), nb::arg("angle"), nb::arg("rate"), nb::arg("velocity"),

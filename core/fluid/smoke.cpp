@@ -1,7 +1,7 @@
 #include "fluid/smoke.hpp"
+#include "fluid/rows.hpp"
 #include "fluid/scratch.hpp"
 #include "fluid/water/pouring.hpp"
-#include "world.hpp"
 
 namespace evil {
 
@@ -34,11 +34,7 @@ std::unique_ptr<Smoke> make_smoke(const Grid& grid, Method method) {
 
 SmokeRef add_smoke(World& world, std::unique_ptr<Smoke> smoke) {
     Fluids& all = world.fluids;
-    std::uint32_t slot = all.smoke_slots.take();
-    if (slot >= all.smokes.size()) all.smokes.resize(slot + 1);
-    smoke->serial = all.next_serial++;
-    smoke->born = world.steps;
-    all.smokes[slot] = std::move(smoke);
+    const std::uint32_t slot = add_row(world, all.smoke_slots, all.smokes, std::move(smoke));
     return {slot, all.smoke_slots.generation(slot)};
 }
 
@@ -52,13 +48,9 @@ void destroy_smoke(World& world, std::uint32_t smoke) {
 
 SourceRef add_source(World& world, Source source) {
     Fluids& all = world.fluids;
-    std::uint32_t slot = all.source_slots.take();
-    if (slot >= all.sources.size()) all.sources.resize(slot + 1);
-    source.serial = all.next_serial++;
-    source.born = world.steps;
     Smoke& smoke = *all.smokes[source.smoke];
     const bool plain = source.colour == smoke.colour || source.rate < 0.0f;
-    all.sources[slot] = std::move(source);
+    const std::uint32_t slot = add_row(world, all.source_slots, all.sources, std::move(source));
     if (!plain) paint(smoke);
     return {slot, all.source_slots.generation(slot)};
 }

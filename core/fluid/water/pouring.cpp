@@ -1,7 +1,7 @@
 #include "fluid/water/pouring.hpp"
+#include "fluid/rows.hpp"
 #include "fluid/water/box.hpp"
 #include "fluid/water/scratch.hpp"
-#include "world.hpp"
 #include <algorithm>
 
 namespace evil::fluid {
@@ -182,11 +182,7 @@ void drain(const World& world, Water& water, Stream& s, float dt) {
 
 StreamRef add_stream(World& world, Stream stream) {
     Fluids& all = world.fluids;
-    const std::uint32_t slot = all.stream_slots.take();
-    if (slot >= all.streams.size()) all.streams.resize(slot + 1);
-    stream.serial = all.next_serial++;
-    stream.born = world.steps;
-    all.streams[slot] = std::move(stream);
+    const std::uint32_t slot = add_row(world, all.stream_slots, all.streams, std::move(stream));
     return {slot, all.stream_slots.generation(slot)};
 }
 

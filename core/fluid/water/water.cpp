@@ -1,6 +1,6 @@
+#include "fluid/rows.hpp"
 #include "fluid/water/box.hpp"
 #include "fluid/water/scratch.hpp"
-#include "world.hpp"
 #include <algorithm>
 
 namespace evil::fluid {
@@ -22,11 +22,7 @@ std::unique_ptr<Water> make_water(const Grid& grid, float particle_size) {
 
 WaterRef add_water(World& world, std::unique_ptr<Water> water) {
     Fluids& all = world.fluids;
-    std::uint32_t slot = all.water_slots.take();
-    if (slot >= all.waters.size()) all.waters.resize(slot + 1);
-    water->serial = all.next_serial++;
-    water->born = world.steps;
-    all.waters[slot] = std::move(water);
+    const std::uint32_t slot = add_row(world, all.water_slots, all.waters, std::move(water));
     return {slot, all.water_slots.generation(slot)};
 }
 
