@@ -131,8 +131,8 @@ def test_all_shaders_compile_as_browsers_and_phones_would_have_them(device: Mode
         if "GL_ARB_ES3_compatibility" not in device.context.extensions:
             pytest.skip("the driver knows no GLSL ES")
         pairs = [("screen.vert", "screen.frag", {}), ("screen.vert", "place.frag", {})]
-        pairs += [("screen.vert", "halve.frag", {"BRIGHT": on}) for on in (0, 1)]
-        pairs += [("screen.vert", "double.frag", {"ADDS": on}) for on in (0, 1)]
+        pairs += [("screen.vert", "halve.frag", {"FIRST": a, "BRIGHT": b}) for a in (0, 1) for b in (0, 1)]
+        pairs += [("screen.vert", "double.frag", {"HOW": how}) for how in range(4)]
         pairs += [("screen.vert", "shaft.frag", {"STAGE": stage, "TAPS": 5}) for stage in (0, 1, 2)]
         pairs += [("screen.vert", "liquid.frag", {"LIGHT": on}) for on in (0, 1)]
         pairs += [("screen.vert", "post.frag", {"BLOOM": a, "GRAIN": b}) for a in (0, 1) for b in (0, 1)]

@@ -1,9 +1,7 @@
 #include "raster/pyramid.hpp"
 #include "raster/pyramid_wide.hpp"
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <span>
 
 namespace evil::raster {
 namespace {
@@ -13,19 +11,25 @@ constexpr std::size_t kPad = 16; // pixels beyond a row's end that the loops may
 using Level = Pyramid::Level;
 using Lines = Pyramid::Lines;
 
-Pixel* row_of(Level& level, int y) { return level.pixels.data() + static_cast<std::size_t>(y) * level.stride + kPad; }
+Deep deep(std::uint32_t* row, std::size_t stride) { return {row + kPad, row + stride + kPad}; }
+
+Deep row_of(Level& level, int y) {
+    return deep(level.pixels.data() + 2 * static_cast<std::size_t>(y) * level.stride, level.stride);
+}
 
 void shape(Level& level, int width, int height) {
     level.width = width, level.height = height;
     level.stride = static_cast<std::size_t>(width) + 3 * kPad;
-    level.pixels.resize(level.stride * static_cast<std::size_t>(height));
+    level.pixels.resize(2 * level.stride * static_cast<std::size_t>(height));
 }
 
 // What lies beyond a row is as its end is.
-void hold_ends(Pixel* row, int width) {
+void hold_ends(std::uint32_t* row, int width) {
     std::fill_n(row - kPad, kPad, row[0]);
     std::fill_n(row + width, 2 * kPad, row[width - 1]);
 }
+
+void hold_ends(Deep row, int width) { hold_ends(row.rb, width), hold_ends(row.ga, width); }
 
 void begin(Pyramid& pyramid, int levels, const Target& target, const Bands& bands) {
     if (pyramid.levels.size() < static_cast<std::size_t>(levels)) pyramid.levels.resize(levels);
@@ -33,30 +37,29 @@ void begin(Pyramid& pyramid, int levels, const Target& target, const Bands& band
     const std::size_t room = static_cast<std::size_t>(target.width) + 3 * kPad;
     for (Lines& lines : pyramid.lines)
         if (lines.full.size() < room) {
-            for (std::vector<Pixel>* line : {&lines.between, &lines.full, &lines.other}) line->resize(room);
+            for (std::vector<Pixel>* line : {&lines.full, &lines.other}) line->resize(room);
+            for (std::vector<std::uint32_t>* line : {&lines.between, &lines.glow}) line->resize(2 * room);
             lines.mask.assign(room, 255);
         }
 }
 
-// Each row of a level from two of a larger one, or of the picture: `rows_above(y, lines)` gives them.
-template <class RowsAbove, class Then>
-void halve(int width, int height, Level& to, RowsAbove&& rows_above, Then&& then, const Bands& bands, Set set) {
+// Each row of a level out of two rows of what is twice as large: `halve_row(to, low, high, band)`.
+template <class HalveRow> void halve(int width, int height, Level& to, const Bands& bands, HalveRow&& halve_row) {
     shape(to, (width + 1) / 2, (height + 1) / 2);
     each_band(bands, to.width, to.height, [&](const Rows& rows, std::size_t band) {
         for (int y = rows.first; y < rows.last; ++y) {
-            const auto [low, high] = rows_above(2 * y, std::min(2 * y + 1, height - 1), band);
-            EVIL_PICK(set, halve_row_wide)(row_of(to, y), low, high, to.width);
-            then(row_of(to, y));
+            halve_row(row_of(to, y), 2 * y, std::min(2 * y + 1, height - 1), band);
             hold_ends(row_of(to, y), to.width);
         }
     });
 }
 
-constexpr auto kNothing = [](Pixel*) {};
+constexpr auto kNothing = [](Deep) {};
 
 void halve(Level& from, Level& to, const Bands& bands, Set set) {
-    const auto rows = [&](int low, int high, std::size_t) { return std::pair(row_of(from, low), row_of(from, high)); };
-    halve(from.width, from.height, to, rows, kNothing, bands, set);
+    halve(from.width, from.height, to, bands, [&](Deep row, int low, int high, std::size_t) {
+        EVIL_PICK(set, halve_row_wide)(row, row_of(from, low), row_of(from, high), to.width);
+    });
 }
 
 // Level 0 is the picture's half; `then` is done to each of its rows.
@@ -66,19 +69,21 @@ template <class Then> void halve(const Target& target, Pyramid& pyramid, Then&& 
         hold_ends(line.data() + kPad, target.width);
         return line.data() + kPad;
     };
-    const auto rows = [&](int low, int high, std::size_t band) {
+    Level& to = pyramid.levels[0];
+    halve(target.width, target.height, to, bands, [&](Deep row, int low, int high, std::size_t band) {
         Lines& lines = pyramid.lines[band];
-        return std::pair(padded(lines.full, low), padded(lines.other, high));
-    };
-    halve(target.width, target.height, pyramid.levels[0], rows, then, bands, set);
+        EVIL_PICK(set, halve_picture_wide)(row, padded(lines.full, low), padded(lines.other, high), to.width);
+        then(row);
+    });
 }
 
 // Row y of twice the size, three parts of the nearer and one of the farther of two rows.
-const Pixel* between_rows(Level& half, int y, Lines& lines, Set set) {
+Deep between_rows(Level& half, int y, Lines& lines, Set set) {
     const int near = y / 2, far = std::clamp(y % 2 ? near + 1 : near - 1, 0, half.height - 1);
-    EVIL_PICK(set, mix_rows_wide)(lines.between.data(), row_of(half, near) - kPad, row_of(half, far) - kPad,
-                                  static_cast<int>(half.stride - kPad));
-    return lines.between.data() + kPad;
+    const Deep to = deep(lines.between.data(), half.stride), one = row_of(half, near), other = row_of(half, far);
+    EVIL_PICK(set, mix_rows_wide)({to.rb - kPad, to.ga - kPad}, {one.rb - kPad, one.ga - kPad},
+                                  {other.rb - kPad, other.ga - kPad}, static_cast<int>(half.stride - kPad));
+    return to;
 }
 
 // What is in level `at` gives way to what is in the one below, doubled, by so many parts of 256.
@@ -86,7 +91,7 @@ void double_into(Pyramid& pyramid, int at, int share, const Bands& bands, Set se
     Level &to = pyramid.levels[at], &from = pyramid.levels[at + 1];
     each_band(bands, to.width, to.height, [&](const Rows& rows, std::size_t band) {
         for (int y = rows.first; y < rows.last; ++y) {
-            const Pixel* half = between_rows(from, y, pyramid.lines[band], set);
+            const Deep half = between_rows(from, y, pyramid.lines[band], set);
             EVIL_PICK(set, double_row_wide)(row_of(to, y), half, to.width, share);
             hold_ends(row_of(to, y), to.width);
         }
@@ -97,7 +102,7 @@ void add_double(Pyramid& pyramid, int at, const Bands& bands, Set set) { // the 
     Level &to = pyramid.levels[at], &from = pyramid.levels[at + 1];
     each_band(bands, to.width, to.height, [&](const Rows& rows, std::size_t band) {
         for (int y = rows.first; y < rows.last; ++y) {
-            const Pixel* half = between_rows(from, y, pyramid.lines[band], set);
+            const Deep half = between_rows(from, y, pyramid.lines[band], set);
             EVIL_PICK(set, add_double_row_wide)(row_of(to, y), half, to.width);
             hold_ends(row_of(to, y), to.width);
         }
@@ -119,7 +124,7 @@ int parts(float share) { return static_cast<int>(256.0f * share + 0.5f); }
 // The glow of what is bright, at half the size: in level 0.
 void glow(const Target& target, float threshold, Pyramid& pyramid, const Bands& bands, Set set) {
     const int width = (target.width + 1) / 2;
-    const auto keep_bright = [&](Pixel* row) { EVIL_PICK(set, keep_bright_wide)(row, width, threshold); };
+    const auto keep_bright = [&](Deep row) { EVIL_PICK(set, keep_bright_wide)(row, width, threshold); };
     halve(target, pyramid, keep_bright, bands, set);
     for (int at = descend(pyramid, kBloomLevels - 1, bands, set) - 1; at >= 0; --at)
         add_double(pyramid, at, bands, set);
@@ -151,8 +156,8 @@ void blur(const Target& target, float radius, Pyramid& pyramid, const Bands& ban
         for (int y = rows.first; y < rows.last; ++y) {
             Pixel* row = raster::row_of(target, y);
             std::copy_n(row, target.width, lines.full.data());
-            const Pixel* half = between_rows(pyramid.levels[0], y, lines, set);
-            EVIL_PICK(set, double_row_wide)(lines.full.data(), half, target.width, share_of(1));
+            const Deep half = between_rows(pyramid.levels[0], y, lines, set);
+            EVIL_PICK(set, double_picture_wide)(lines.full.data(), half, target.width, share_of(1));
             std::copy_n(lines.full.data(), target.width, row);
         }
     });
@@ -163,17 +168,17 @@ static Greys gathered(const Target& target, const draw::Shafts& shafts, Pyramid&
     halve(target, pyramid, kNothing, bands, set);
     halve(pyramid.levels[0], pyramid.levels[1], bands, set);
     Level& quarter = pyramid.levels[1];
-    std::vector<std::uint8_t>&bright = pyramid.shafts.bright, &other = pyramid.shafts.gathered;
+    std::vector<std::uint16_t>&bright = pyramid.shafts.bright, &other = pyramid.shafts.gathered;
     const auto width = static_cast<std::size_t>(quarter.width);
     bright.resize(width * static_cast<std::size_t>(quarter.height));
     other.resize(bright.size());
-    std::array<std::uint8_t, 256> shares;
-    for (int channel = 0; channel < 256; ++channel) shares[channel] = beyond(channel, shafts.threshold);
     each_band(bands, quarter.width, quarter.height, [&](const Rows& rows, std::size_t) {
-        std::uint8_t* value = bright.data() + width * static_cast<std::size_t>(rows.first);
+        std::uint16_t* value = bright.data() + width * static_cast<std::size_t>(rows.first);
         for (int y = rows.first; y < rows.last; ++y)
-            for (const Pixel pixel : std::span(row_of(quarter, y), width))
-                *value++ = shares[std::max({pixel & 255u, pixel >> 8 & 255u, pixel >> 16 & 255u})];
+            for (int x = 0; x < quarter.width; ++x) {
+                const std::uint32_t rb = row_of(quarter, y).rb[x], ga = row_of(quarter, y).ga[x];
+                *value++ = beyond(std::max({rb & 0xffffu, rb >> 16, ga & 0xffffu}), shafts.threshold);
+            }
     });
     Greys from{bright.data(), quarter.width, quarter.height};
     Greys to{other.data(), quarter.width, quarter.height};
@@ -184,27 +189,26 @@ static Greys gathered(const Target& target, const draw::Shafts& shafts, Pyramid&
     return from;
 }
 
-// What each grey of the plane adds to the picture.
-static std::array<Pixel, 256> colours_of(const Glow& glow) {
-    std::array<Pixel, 256> colours;
-    for (int value = 0; value < 256; ++value) {
-        const auto part = [&](float factor) {
-            return static_cast<Pixel>(std::min(factor * static_cast<float>(value) + 0.5f, 255.0f));
-        };
-        colours[value] = part(glow.red) | part(glow.green) << 8 | part(glow.blue) << 16;
+// What a row of greys adds to the picture.
+static void colour_row(Deep row, const std::uint16_t* greys, int count, const Glow& glow) {
+    const auto part = [](float factor, std::uint16_t grey) {
+        return static_cast<std::uint32_t>(std::min(factor * static_cast<float>(grey), 255.0f * kParts));
+    };
+    for (int x = 0; x < count; ++x) {
+        row.rb[x] = part(glow.red, greys[x]) | part(glow.blue, greys[x]) << 16;
+        row.ga[x] = part(glow.green, greys[x]);
     }
-    return colours;
 }
 
 void shine(const Target& target, const draw::Shafts& shafts, Pyramid& pyramid, const Bands& bands, Set set) {
     begin(pyramid, 2, target, bands);
     const Greys plane = gathered(target, shafts, pyramid, bands, set);
-    const std::array<Pixel, 256> colours = colours_of(glow_of(shafts));
+    const Glow glow = glow_of(shafts);
     Level &half = pyramid.levels[0], &quarter = pyramid.levels[1];
     each_band(bands, quarter.width, quarter.height, [&](const Rows& rows, std::size_t) {
         for (int y = rows.first; y < rows.last; ++y) {
-            const std::uint8_t* values = plane.values + static_cast<std::size_t>(y) * plane.width;
-            for (int x = 0; x < quarter.width; ++x) row_of(quarter, y)[x] = colours[values[x]];
+            const std::uint16_t* greys = plane.values + static_cast<std::size_t>(y) * plane.width;
+            colour_row(row_of(quarter, y), greys, quarter.width, glow);
             hold_ends(row_of(quarter, y), quarter.width);
         }
     });
@@ -212,8 +216,8 @@ void shine(const Target& target, const draw::Shafts& shafts, Pyramid& pyramid, c
     each_band(bands, target.width, target.height, [&](const Rows& rows, std::size_t band) {
         Lines& lines = pyramid.lines[band];
         for (int y = rows.first; y < rows.last; ++y) {
-            const Pixel* row = between_rows(half, y, lines, set);
-            EVIL_PICK(set, double_row_wide)(lines.full.data(), row, target.width, 256);
+            const Deep row = between_rows(half, y, lines, set);
+            EVIL_PICK(set, double_picture_wide)(lines.full.data(), row, target.width, 256);
             screen_row(set, raster::row_of(target, y), lines.full.data(), lines.mask.data(), target.width);
         }
     });
@@ -222,7 +226,7 @@ void shine(const Target& target, const draw::Shafts& shafts, Pyramid& pyramid, c
 void finish(const Target& target, const draw::Post& post, Pyramid& pyramid, const Bands& bands, Set set) {
     begin(pyramid, kBloomLevels, target, bands);
     if (post.bloom > 0.0f) glow(target, post.threshold, pyramid, bands, set);
-    const Finish all{nullptr,
+    const Finish all{{},
                      0,
                      post.bloom,
                      post.saturation,
@@ -238,9 +242,9 @@ void finish(const Target& target, const draw::Post& post, Pyramid& pyramid, cons
         for (int y = rows.first; y < rows.last; ++y) {
             how.y = y;
             if (post.bloom > 0.0f) {
-                const Pixel* half = between_rows(pyramid.levels[0], y, lines, set);
-                EVIL_PICK(set, double_row_wide)(lines.full.data(), half, target.width, 256);
-                how.glow = lines.full.data();
+                how.glow = deep(lines.glow.data(), lines.glow.size() / 2);
+                EVIL_PICK(set, double_row_wide)(how.glow, between_rows(pyramid.levels[0], y, lines, set), target.width,
+                                                256);
             }
             EVIL_PICK(set, finish_row_wide)(raster::row_of(target, y), target.width, how);
         }

@@ -12,11 +12,12 @@ namespace evil::raster {
 struct Pyramid { // scratch: the picture's halves, quarters, ...
     struct Level {
         int width = 0, height = 0;
-        std::vector<Pixel> pixels; // rows are padded to whole lanes and a lane more
+        std::vector<std::uint32_t> pixels; // rows of Deep, red and blue first, padded to whole lanes and a lane more
         std::size_t stride = 0;
     };
-    struct Lines { // of one row, by band
-        std::vector<Pixel> between, full, other;
+    struct Lines {                                // of one row, by band
+        std::vector<std::uint32_t> between, glow; // of Deep
+        std::vector<Pixel> full, other;
         std::vector<std::int32_t> mask;
     };
     std::vector<Level> levels;

@@ -1,8 +1,11 @@
 #include "raster/shafts.hpp"
+#include "raster/target.hpp"
 #include <algorithm>
 
 namespace evil::raster {
 namespace {
+
+constexpr float kFullGrey = 255.0f * kParts;
 
 // Between which two pixels a place is, and how far on the way to the second; beyond the edge it is as at the edge.
 struct Between {
@@ -30,8 +33,8 @@ struct Places { // by column: after which pixel of a row, and how far
 // Adds what one tap of a row sees.
 void add_tap(const Greys& above, const Between& down, float weight, const Places& places, ShaftScratch::Lines& lines) {
     const std::size_t width = static_cast<std::size_t>(above.width);
-    const std::uint8_t* high = above.values + static_cast<std::size_t>(down.first) * width;
-    const std::uint8_t* low = down.first + 1 < above.height ? high + width : high;
+    const std::uint16_t* high = above.values + static_cast<std::size_t>(down.first) * width;
+    const std::uint16_t* low = down.first + 1 < above.height ? high + width : high;
     const float upper = weight * (1.0f - down.part), lower = weight * down.part;
     float *row = lines.row.data(), *sum = lines.sum.data();
     for (std::size_t x = 0; x < width; ++x)
@@ -79,9 +82,9 @@ void gather(const Greys& above, const Greys& to, Vec2 from, const ShaftTaps& tap
             for (int tap = 0; tap < kShaftTaps; ++tap)
                 add_tap(above, towards(y, from.y, taps.at[tap], to.height), taps.weight[tap],
                         {scratch.first.data() + tap * width, scratch.part.data() + tap * width}, lines);
-            std::uint8_t* result = to.values + static_cast<std::size_t>(y) * width;
+            std::uint16_t* result = to.values + static_cast<std::size_t>(y) * width;
             for (std::size_t x = 0; x < width; ++x)
-                result[x] = static_cast<std::uint8_t>(static_cast<std::int32_t>(lines.sum[x]));
+                result[x] = static_cast<std::uint16_t>(static_cast<std::int32_t>(lines.sum[x]));
         }
     });
 }
@@ -92,9 +95,9 @@ Glow glow_of(const draw::Shafts& shafts) {
     return {strength * part(0), strength * part(8), strength * part(16)};
 }
 
-std::uint8_t beyond(int channel, float threshold) {
-    const float share = (static_cast<float>(channel) / 255.0f - threshold) / (1.0f - threshold);
-    return static_cast<std::uint8_t>(255.0f * std::clamp(share, 0.0f, 1.0f) + 0.5f);
+std::uint16_t beyond(std::uint32_t channel, float threshold) {
+    const float share = (static_cast<float>(channel) / kFullGrey - threshold) / (1.0f - threshold);
+    return static_cast<std::uint16_t>(kFullGrey * std::clamp(share, 0.0f, 1.0f) + 0.5f);
 }
 
 } // namespace evil::raster

@@ -21,7 +21,7 @@ struct ShaftTaps { // of one pass: shares of the way to the point, and how much 
 ShaftTaps shaft_taps(float reach, int pass);
 
 struct ShaftScratch { // losing it changes nothing
-    std::vector<std::uint8_t> bright, gathered;
+    std::vector<std::uint16_t> bright, gathered;
     std::vector<std::int32_t> first; // of a pass, by tap and column
     std::vector<float> part;
     struct Lines { // of one row, by band
@@ -30,8 +30,8 @@ struct ShaftScratch { // losing it changes nothing
     std::vector<Lines> lines;
 };
 
-struct Greys { // one number a pixel, 0..255
-    std::uint8_t* values;
+struct Greys { // one number a pixel, in parts of a level: 0 to 255 * kParts
+    std::uint16_t* values;
     int width, height;
 };
 
@@ -39,12 +39,12 @@ struct Greys { // one number a pixel, 0..255
 void gather(const Greys& above, const Greys& to, Vec2 from, const ShaftTaps& taps, ShaftScratch& scratch,
             const Bands& bands);
 
-struct Glow { // what a plane of 255 adds, 0..1 and more
+struct Glow { // what each part of a plane adds, 0..1 and more
     float red, green, blue;
 };
 Glow glow_of(const draw::Shafts& shafts);
 
-// How bright a channel of the picture is beyond the threshold, 0..255.
-std::uint8_t beyond(int channel, float threshold);
+// How bright a channel of the picture is beyond the threshold; both in parts of a level.
+std::uint16_t beyond(std::uint32_t channel, float threshold);
 
 } // namespace evil::raster

@@ -9,6 +9,9 @@ namespace evil::raster {
 // same as straight colour.
 using Pixel = std::uint32_t;
 
+// Of a level of brightness, where pictures are spread out: four times 255 of them are less than 2^16.
+inline constexpr int kParts = 64; // known to renderer/shaders/deep.glsl
+
 struct Target {
     Pixel* pixels = nullptr; // rows from the top
     int width = 0, height = 0;

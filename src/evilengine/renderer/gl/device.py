@@ -11,6 +11,7 @@ Data = bytes | bytearray | memoryview
 """What is uploaded; any object that shows contiguous memory will do."""
 
 TextureKind = Literal["picture", "data", "light"]
+TargetKind = Literal["picture", "deep"]
 """A picture: four bytes a texel, repeated and filtered, with smaller copies. Data: four floats, fetched one by one.
 Light: four floats of 16 bits, filtered."""
 
@@ -134,8 +135,8 @@ class GraphicsDevice(Protocol):
     def program(self, vertex: Source, fragment: Source, defines: Mapping[str, int]) -> Program:
         """Compiled and linked, once: it belongs to the device. Raises ShaderError with place and the driver's words."""
 
-    def target(self, size: tuple[int, int]) -> Target:
-        """A target."""
+    def target(self, size: tuple[int, int], kind: TargetKind = "picture") -> Target:
+        """A target; a "deep" one has whole numbers of 16 bits, which every device can draw, and which are not read back."""
 
     def draw(
         self,

@@ -13,6 +13,9 @@ BLOOM_LEVELS = 6
 TONES = 1024
 """kTones of core/draw/post.hpp."""
 
+GIVES_WAY, TAKES_LIGHT, PICTURE_GIVES_WAY, PICTURE_TAKES_LIGHT = range(4)
+"""HOW in double.frag."""
+
 
 class Filters:
     """The targets that a picture is halved into, and what is done with them."""
@@ -22,6 +25,7 @@ class Filters:
         self._programs = programs
         self._levels: list[Target] = []  # a half, a quarter, ... of the picture; and one that is being mixed, for each
         self._mixed: list[Target] = []
+        self._quarter: Target | None = None  # one more of that size
         self._tones: Texture | None = None
         self._table = b""
 
@@ -43,16 +47,17 @@ class Filters:
     ) -> Target:
         """The picture with shafts of light that go away from a point of it, on `spare`."""
         self._make_levels(picture, 2)
-        (half, one), (mixed, other) = self._levels[:2], self._mixed[:2]
-        self._halve(picture, half)
-        self._halve(half, one)
-        self._shaft(other, one, 0, threshold=(threshold,))
+        (half, quarter), mixed = self._levels[:2], self._mixed[0]
+        one, other = self._mixed[1], self._spare_quarter(quarter.size)
+        self._halve(picture, half, first=True)
+        self._halve(half, quarter)
+        self._shaft(one, quarter, 0, threshold=(threshold,))
         for at, weight in passes:
-            one, other = other, one
             self._shaft(other, one, 1, origin=(0.25 * origin[0], 0.25 * origin[1]), at=at, weight=weight)
-        self._shaft(one, other, 2, colour=colour)
-        self._double(half, one, mixed, 1.0)
-        return self._double(picture, mixed, spare, how=2)
+            one, other = other, one
+        self._shaft(quarter, one, 2, colour=colour)
+        self._double(half, quarter, mixed, GIVES_WAY)
+        return self._double(picture, mixed, spare, PICTURE_TAKES_LIGHT)
 
     def _shaft(self, to: Target, picture: Target, stage: int, **uniforms: tuple[float, ...]) -> None:
         program = self._program("shaft.frag", STAGE=stage, TAPS=len(uniforms.get("at", ())))
@@ -65,13 +70,11 @@ class Filters:
         if tones != self._table:
             self._tones.write(tones, (0, 0, TONES, 1))
             self._table = tones
-        glow: Texture = picture.texture
-        if post["bloom"] > 0.0:
-            glow = self._glow(picture, post["threshold"]).texture
+        glow = [("glow", self._glow(picture, post["threshold"]).texture)] if post["bloom"] > 0.0 else []
         self._device.fill(
             spare,
             self._program("post.frag", BLOOM=int(post["bloom"] > 0.0), GRAIN=int(post["grain"] > 0.0)),
-            textures=[("picture", picture.texture), ("glow", glow), ("tones", self._tones)],
+            textures=[("picture", picture.texture), ("tones", self._tones), *glow],
             uniforms={
                 "look": (post["bloom"], post["saturation"], post["vignette"], post["grain"]),
                 "seed": (float(int(post["seed"]) >> 16), float(int(post["seed"]) & 0xFFFF)),
@@ -81,10 +84,10 @@ class Filters:
 
     def release(self) -> None:
         """Give back everything that this made."""
-        for thing in (*self._levels, *self._mixed, self._tones):
+        for thing in (*self._levels, *self._mixed, self._quarter, self._tones):
             if thing is not None:
                 thing.release()
-        self._levels, self._mixed, self._tones, self._table = [], [], None, b""
+        self._levels, self._mixed, self._quarter, self._tones, self._table = [], [], None, None, b""
 
     # ---- down and up again ----------------------------------------------------------------------------------------
 
@@ -92,7 +95,7 @@ class Filters:
         self._make_levels(picture, BLOOM_LEVELS)
         first = self._levels[0]
         self._device.fill(
-            first, self._program("halve.frag", BRIGHT=1), textures=[("picture", picture.texture)],
+            first, self._program("halve.frag", FIRST=1, BRIGHT=1), textures=[("picture", picture.texture)],
             uniforms={"threshold": (threshold,)},
         )  # fmt: skip
         steps = 1
@@ -101,14 +104,14 @@ class Filters:
             steps += 1
         below = self._levels[steps - 1]
         for at in range(steps - 2, -1, -1):
-            below = self._double(self._levels[at], below, self._mixed[at])
+            below = self._double(self._levels[at], below, self._mixed[at], TAKES_LIGHT)
         return below
 
     def _descend(self, picture: Target, levels: int) -> int:
         self._make_levels(picture, levels)
         above, steps = picture, 0
         while steps < levels and max(above.size) > 2:
-            self._halve(above, self._levels[steps])
+            self._halve(above, self._levels[steps], first=steps == 0)
             above = self._levels[steps]
             steps += 1
         return steps
@@ -116,23 +119,29 @@ class Filters:
     def _ascend(self, picture: Target, spare: Target, steps: int, shares: list[float]) -> Target:
         below = self._levels[steps - 1]
         for at in range(steps - 2, -1, -1):
-            below = self._double(self._levels[at], below, self._mixed[at], shares[at + 1])
-        return self._double(picture, below, spare, shares[0])
+            below = self._double(self._levels[at], below, self._mixed[at], GIVES_WAY, shares[at + 1])
+        return self._double(picture, below, spare, PICTURE_GIVES_WAY, shares[0])
 
-    def _halve(self, above: Target, to: Target) -> None:
-        self._device.fill(to, self._program("halve.frag", BRIGHT=0), textures=[("picture", above.texture)], uniforms={})
+    def _halve(self, above: Target, to: Target, *, first: bool = False) -> None:
+        program = self._program("halve.frag", FIRST=int(first), BRIGHT=0)
+        self._device.fill(to, program, textures=[("picture", above.texture)], uniforms={})
 
-    def _double(
-        self, above: Target, below: Target, to: Target, share: float | None = None, *, how: int | None = None
-    ) -> Target:
-        """The smaller one takes the place of a share of the larger; None: its light is added, or `how` says."""
+    def _double(self, above: Target, below: Target, to: Target, how: int, share: float = 1.0) -> Target:
+        """The smaller one takes the place of a share of the larger, or its light is added."""
         self._device.fill(
             to,
-            self._program("double.frag", ADDS=int(share is None) if how is None else how),
+            self._program("double.frag", HOW=how),
             textures=[("above", above.texture), ("below", below.texture)],
-            uniforms={"share": (share or 0.0,)},
+            uniforms={"share": (share,)},
         )
         return to
+
+    def _spare_quarter(self, size: tuple[int, int]) -> Target:
+        if self._quarter is None or self._quarter.size != size:
+            if self._quarter is not None:
+                self._quarter.release()
+            self._quarter = self._device.target(size, "deep")
+        return self._quarter
 
     def _make_levels(self, picture: Target, count: int) -> None:
         width, height = picture.size
@@ -144,8 +153,8 @@ class Filters:
             width, height = (width + 1) // 2, (height + 1) // 2
         while len(self._levels) < count:
             width, height = (width + 1) // 2, (height + 1) // 2
-            self._levels.append(self._device.target((width, height)))
-            self._mixed.append(self._device.target((width, height)))
+            self._levels.append(self._device.target((width, height), "deep"))
+            self._mixed.append(self._device.target((width, height), "deep"))
 
     def _program(self, fragment: str, **defines: int) -> Program:
         return self._programs.get("screen.vert", fragment, **defines)

@@ -21,6 +21,7 @@ from evilengine.renderer.gl.device import (
     Program,
     Source,
     Target,
+    TargetKind,
     Texture,
     TextureKind,
 )
@@ -183,11 +184,13 @@ class _Program:
 
 
 class _Target:
-    def __init__(self, device: ModernGlDevice, size: tuple[int, int]) -> None:
+    def __init__(self, device: ModernGlDevice, size: tuple[int, int], kind: TargetKind) -> None:
         self._device = device
-        self.texture = _Texture(device, device.context.texture(size, 4))
-        self.texture.native.filter = (moderngl.LINEAR, moderngl.LINEAR)  # type: ignore[union-attr]
-        self.native = device.made("targets", device.context.framebuffer([self.texture.native]))
+        native = device.context.texture(size, 4, dtype="u2" if kind == "deep" else "f1")
+        nearest = moderngl.NEAREST, moderngl.NEAREST  # whole numbers have nothing between them
+        native.filter = nearest if kind == "deep" else (moderngl.LINEAR, moderngl.LINEAR)
+        self.texture = _Texture(device, native)
+        self.native = device.made("targets", device.context.framebuffer([native]))
         self.size = size
 
     def clear(self, colour: tuple[float, float, float, float]) -> None:
@@ -289,8 +292,8 @@ class ModernGlDevice:
             self._programs[texts] = _Program(self.context, native)
         return self._programs[texts]
 
-    def target(self, size: tuple[int, int]) -> Target:
-        return _Target(self, size)
+    def target(self, size: tuple[int, int], kind: TargetKind = "picture") -> Target:
+        return _Target(self, size, kind)
 
     # ---- drawing --------------------------------------------------------------------------------------------------
 

@@ -1,30 +1,41 @@
 #version 300 es
-// A picture gives way to a smaller one, doubled, or takes up its light (2: so that it never burns out): of each pixel's two neighbours each way, three parts of the nearer.
+// A picture gives way to a smaller one, doubled, or takes up its light. HOW: 0 gives way, 1 takes up light; 2 and 3 are for
+// the picture itself, which gives way, or takes up light so that it never burns out.
 precision highp float;
+precision highp int;
 precision highp sampler2D;
+precision highp usampler2D;
 
-uniform sampler2D above, below;
+#include "deep.glsl"
+
+uniform usampler2D below;
 uniform float share; // 0..1, of the smaller one
 in vec2 uv;
+#if HOW >= 2
+uniform sampler2D above;
 out vec4 result;
+#else
+uniform usampler2D above;
+out uvec4 result;
+#endif
 
-vec4 doubled(ivec2 at) {
-    ivec2 last = textureSize(below, 0) - 1, near = at / 2;
-    ivec2 far = clamp(near + 2 * (at % 2) - 1, ivec2(0), last);
-    near = min(near, last);
-    vec4 left = 3.0 * texelFetch(below, near, 0) + texelFetch(below, ivec2(near.x, far.y), 0);
-    vec4 right = 3.0 * texelFetch(below, ivec2(far.x, near.y), 0) + texelFetch(below, far, 0);
-    return (3.0 * left + right) / 16.0;
+uvec4 mixed(uvec4 there, uvec4 fresh) {
+    uint part = uint(256.0 * share + 0.5);
+    return (there * (256u - part) + fresh * part + 128u) >> 8;
 }
 
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
-#if ADDS == 1
-    result = texelFetch(above, at, 0) + doubled(at);
-#elif ADDS == 2
-    vec4 under = texelFetch(above, at, 0);
-    result = under + doubled(at) * (1.0 - under);
+    uvec4 fresh = doubled(below, at);
+#if HOW == 0
+    result = mixed(texelFetch(above, at, 0), fresh);
+#elif HOW == 1
+    result = min(texelFetch(above, at, 0) + fresh, FULL);
+#elif HOW == 2
+    uvec4 there = levels_of(texelFetch(above, at, 0)) * PARTS;
+    result = vec4((mixed(there, fresh) + PARTS / 2u) / PARTS) / 255.0;
 #else
-    result = mix(texelFetch(above, at, 0), doubled(at), share);
+    vec4 under = texelFetch(above, at, 0);
+    result = under + vec4((fresh + PARTS / 2u) / PARTS) / 255.0 * (1.0 - under);
 #endif
 }
