@@ -136,7 +136,7 @@ class GraphicsDevice(Protocol):
         """Compiled and linked, once: it belongs to the device. Raises ShaderError with place and the driver's words."""
 
     def target(self, size: tuple[int, int], kind: TargetKind = "picture") -> Target:
-        """A target; a "deep" one has whole numbers of 16 bits, which every device can draw, and which are not read back."""
+        """A target; a "deep" one has whole numbers of 16 bits, which every device draws, and is not read back."""
 
     def draw(
         self,
