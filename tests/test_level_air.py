@@ -103,7 +103,7 @@ def test_the_level_and_its_python_are_the_same(folder: Path) -> None:
         ("plane -2 bloom 0.3;", "has no bloom"),
         ("lens glow 0.3;", "did you mean 'bloom'?"),
         ("lens bloom 9;", "bloom is from 0 to 3"),
-        ('background "red" parallax 0.3;', "a colour has no parallax"),
+        ('background "red" parallax 0.3;', "parallax is for pictures, and red is a colour"),
         ("background;", "background needs a colour"),
         ("new emitter fire rate 5;", "did you mean 'particles'?"),
         ("new particles fire 3 rate 5;", "no number here"),

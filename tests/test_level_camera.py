@@ -86,7 +86,7 @@ def test_a_level_as_python_has_the_same_camera() -> None:
         ("camera zoom 0;", "zoom"),
         ("camera zoon 2;", "did you mean 'zoom'?"),
         ("camera smoothing 1;", "smoothing needs follows"),
-        ("camera over 2;", "over needs at or zoom or angle"),
+        ("camera over 2;", "over needs at, zoom or angle"),
         ("camera leftBottom 0 0;", "leftBottom needs rightTop"),
         ("camera follows nobody;", "there is no thing called 'nobody'"),
         ("camera at 3;", "at needs two numbers"),

@@ -212,7 +212,7 @@ def test_anybody_enters_and_tags_stand_for_all() -> None:
         ("new character hero 1 2; impulse hero 0 5;", "'hero' stands still, so no impulse can move it "
          "| write: set hero velocity 0 5;"),
         ("new circle ball 1; on land ball { }", "'ball' is a thing, and this needs a character | "),
-        ("new circle ball 1; set ball walkSpeed 1;", "a body has no walkSpeed to change | "),
+        ("new circle ball 1; set ball walkSpeed 1;", "a thing has no walkSpeed to change | "),
         ("new circle goal 1; on enter goal { }", "'goal' is no sensor, so nothing enters it "
          "| make it with sensor, or name the sensor first"),
         ("on enter { }", "on enter needs one or two names | as in: on enter goal ball { ... }"),

@@ -139,7 +139,7 @@ def test_a_level_that_makes_smoke_for_ever_stays_playable(tmp_path: Path) -> Non
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("new smoke;", "a smoke takes 2 numbers"),
+        ("new smoke;", "smoke takes 2 numbers"),
         ("new smoke 4;", "as in: new smoke air 8 6"),
         ("new smoke 4 4 cells 1;", "cells is from 2 to 1024"),
         ("new smoke 4 4 cells 8.5;", "whole number"),
@@ -155,7 +155,7 @@ def test_a_level_that_makes_smoke_for_ever_stays_playable(tmp_path: Path) -> Non
         ("new gas air 4 4;", "did you mean 'smoke'?"),
         ("new source radius 1;", "a source needs in"),
         ("new source in nowhere radius 1;", "there is no smoke called 'nowhere'"),
-        ("new circle ball 1; new source in ball radius 1;", "'ball' is a thing, and this needs a smoke"),
+        ("new circle ball 1; new source in ball radius 1;", "'ball' is a thing, and this needs smoke"),
         ("new smoke air 4 4; new source in air;", "needs a radius, or wide and tall"),
         ("new smoke air 4 4; new source in air wide 2;", "needs a radius, or wide and tall"),
         ("new smoke air 4 4; new source in air radius 1 wide 2 tall 1;", "has no wide"),
@@ -164,10 +164,10 @@ def test_a_level_that_makes_smoke_for_ever_stays_playable(tmp_path: Path) -> Non
         ("new smoke air 4 4; new source s in air radius 1; set s radius 2;", "a source has no radius to change"),
         ("new smoke air 4 4; new source s in air radius 1; set s radius 2;", "of a source, set changes rate, temp"),
         ("new smoke air 4 4; set air cells 2;", "cannot be changed"),
-        ("new smoke air 4 4; set air cells 2;", "of a smoke, set changes buoyancy"),
+        ("new smoke air 4 4; set air cells 2;", "of smoke, set changes buoyancy"),
         ("new smoke air 4 4; new source s in air radius 1; set s idle;", "idle is on or off"),
-        ("new smoke air 4 4; impulse air 1 0;", "'air' is a smoke, and this needs a thing"),
-        ("new smoke air 4 4; set air rate 3;", "a smoke has no rate to change"),
+        ("new smoke air 4 4; impulse air 1 0;", "'air' is smoke, and this needs a thing"),
+        ("new smoke air 4 4; set air rate 3;", "smoke has no rate to change"),
     ],
 )
 def test_what_is_wrong_is_said_with_what_was_meant(text: str, words: str) -> None:

@@ -157,7 +157,7 @@ def test_a_world_alone_has_joints_too() -> None:
         ("new pivot from wall to door at 0 0;", "there is no kind of thing called 'pivot' | did you mean 'hinge'?"),
         ("new wheel from wall to door;", "there is no kind of thing called 'wheel' | did you mean 'axle'?"),
         ("new roep from wall to door;", "there is no kind of thing called 'roep' | did you mean 'rope'?"),
-        ("draw hinge from wall to door at 0 0;", "a hinge cannot be drawn | draw makes pictures of rectangle,"),
+        ("draw hinge from wall to door at 0 0;", "a hinge cannot be drawn | write: new hinge; draw makes"),
     ],
 )  # fmt: skip
 def test_what_is_wrong_with_a_joint_is_said_with_what_was_meant(text: str, refused: str) -> None:

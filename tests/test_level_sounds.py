@@ -100,7 +100,7 @@ def test_a_world_alone_hears_nothing(folder: Path) -> None:
         ('play "thud.wav" pitch 0;', "pitch is from 0.0625 to 4"),
         ('play "thud.wav" volum 1;', "did you mean 'volume'"),
         ('play "thud.wav" at nobody;', "nobody"),
-        ('music "wind.wav" at 0 0;', "a music has no at"),
+        ('music "wind.wav" at 0 0;', "music has no at"),
         ('music "wind.wav" fade 2m;', "metres"),
         ('sound "thud.wav";', "did you mean 'play'"),
         ("new circle volume 1;", "volume"),

@@ -251,6 +251,11 @@ def test_a_sheet_whose_file_changed_shows_its_new_frames(game: evil.Game, tmp_pa
         (lambda game: game.sprite("frame.png", size=(1, 1), height=2), "contradict each other"),
         (lambda game: game.draw(evil.Circle(1), tile=1), "tile=1 needs a texture"),
         (lambda game: game.draw(evil.Circle(1), blend="ad"), "did you mean 'add'"),
+        (lambda game: game.draw(evil.Circle(1), lit="no"), "lit='no' must be True or False"),
+        (lambda game: game.draw(evil.Circle(1), texture="frame.png", slice=4), "slice=4 is for a Rectangle"),
+        (lambda game: game.draw(evil.Rectangle(1, 1), slice=4), "slice=4 needs a texture"),
+        (lambda game: game.add_light(at=(0, 0), on="off"), "on='off' must be True or False"),
+        (lambda game: game.camera.follow(None, deadzone=(1, 1)), r"Camera.follow\(\) got an unknown argument deadzone"),
     ],
 )
 def test_bad_words_about_sheets_are_named(game: evil.Game, bad: object, words: str) -> None:

@@ -123,7 +123,7 @@ class Things:
         if size is None:
             if slice is not None:
                 raise ArgumentError(f"{owner}: slice={slice!r} needs a size=(width, height) to fill")
-            across, down = self.scene.size_of(image, owner)
+            across, down = self.scene._size_of(image, owner)
             high = down / POINTS_A_METRE if height is None else number(height, owner, "height", above=0.0)
             return self.scene.add(Rectangle(high * across / down, high), texture=image, **options)
         if height is not None:

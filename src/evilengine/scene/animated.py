@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from evilengine.values.checks import known_keywords, number, one_of
+from evilengine.values.checks import known_keywords, number, one_of, switch
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
 from evilengine.values.sheet import COURSES, Animation, Sheet, rate
 from evilengine.values.tick import STEP
@@ -124,7 +124,7 @@ class Animated:
 
     @flip_x.setter
     def flip_x(self, value: bool) -> None:
-        self._scene._core.set_flip_x(*self._at(), bool(value))
+        self._scene._core.set_flip_x(*self._at(), switch(value, "Drawing", "flip_x"))
 
     @property
     def flip_y(self) -> bool:
@@ -133,7 +133,7 @@ class Animated:
 
     @flip_y.setter
     def flip_y(self, value: bool) -> None:
-        self._scene._core.set_flip_y(*self._at(), bool(value))
+        self._scene._core.set_flip_y(*self._at(), switch(value, "Drawing", "flip_y"))
 
     @property
     def blend(self) -> str:

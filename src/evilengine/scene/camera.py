@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from evilengine.scene.camera_work import CameraWork
-from evilengine.values.checks import known_keywords, number
+from evilengine.values.checks import known_keywords, make_up, number
 from evilengine.values.errors import ArgumentError
 from evilengine.values.vec2 import Point, Vec2, to_vec2
 
@@ -176,6 +176,9 @@ class Camera(CameraWork):
 
     def __repr__(self) -> str:
         return f"Camera({self._size}, position={tuple(self._position)}, zoom={self._zoom:g}, angle={self._angle:g})"
+
+
+make_up(Camera, CameraWork)
 
 
 def _metres(value: object, owner: str, argument: str) -> float:

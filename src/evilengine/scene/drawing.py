@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from evilengine.scene.animated import Animated
 from evilengine.scene.camera import Matrix6
 from evilengine.scene.surface import Surfaced
-from evilengine.values.checks import known_keywords, number
+from evilengine.values.checks import known_keywords, make_up, number, switch
 from evilengine.values.colour import BACKGROUND, Colour, ColourLike, to_colour
 from evilengine.values.errors import ArgumentError, ArgumentTypeError, StaleReferenceError
 from evilengine.values.sheet import Sheet
@@ -81,7 +81,7 @@ class Drawing(Animated, Surfaced):
     def outline(self, value: bool) -> None:
         core, (slot, generation) = self._scene._core, self._at()
         core.set_edge(slot, generation, edge_of(self.colour).rgba8)
-        core.set_edge_width(slot, generation, OUTLINE if value else 0.0)
+        core.set_edge_width(slot, generation, OUTLINE if switch(value, "Drawing", "outline") else 0.0)
 
     @property
     def behind(self) -> float:
@@ -159,7 +159,7 @@ class Drawing(Animated, Surfaced):
     @visible.setter
     def visible(self, value: bool) -> None:
         slot, generation = self._at()
-        self._scene._core.set_visible(slot, generation, bool(value))
+        self._scene._core.set_visible(slot, generation, switch(value, "Drawing", "visible"))
 
     @property
     def lit(self) -> bool:
@@ -169,7 +169,7 @@ class Drawing(Animated, Surfaced):
     @lit.setter
     def lit(self, value: bool) -> None:
         slot, generation = self._at()
-        self._scene._core.set_lit(slot, generation, bool(value))
+        self._scene._core.set_lit(slot, generation, switch(value, "Drawing", "lit"))
 
     def destroy(self) -> None:
         """Draw it no longer; what it was on stays."""
@@ -195,6 +195,9 @@ class Drawing(Animated, Surfaced):
 
     def __repr__(self) -> str:
         return f"<Drawing {self._what}{'' if self.alive else ', destroyed'}>"
+
+
+make_up(Drawing, Animated, Surfaced)
 
 
 def edge_of(colour: Colour) -> Colour:

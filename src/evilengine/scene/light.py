@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from evilengine import _core
-from evilengine.values.checks import number
+from evilengine.values.checks import number, switch
 from evilengine.values.colour import Colour, ColourLike, to_colour
 from evilengine.values.errors import ArgumentError, ArgumentTypeError, StaleReferenceError
 from evilengine.values.temperature import COLDEST, HOTTEST, linear_of
@@ -59,7 +59,7 @@ def _number(value: float, name: str) -> float:
 
 
 def _switch(value: bool, name: str) -> bool:
-    return bool(value)
+    return switch(value, "Light", name)
 
 
 class Light:

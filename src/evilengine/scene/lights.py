@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 from evilengine import _core
 from evilengine.scene.camera import Matrix6
 from evilengine.scene.light import LIMITS, Light, to_mask, to_place
-from evilengine.values.checks import known_keywords, number, one_of
+from evilengine.values.checks import known_keywords, number, one_of, switch
 from evilengine.values.colour import WHITE, Colour, ColourLike, to_colour
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
 from evilengine.values.governor import QUALITIES
@@ -133,7 +133,7 @@ class Lights:
 
     @shadows.setter
     def shadows(self, value: bool) -> None:
-        self._shadows = bool(value)
+        self._shadows = switch(value, "Lights", "shadows")
 
     @property
     def bounce(self) -> float:
@@ -224,6 +224,8 @@ class Lights:
         tint = to_colour(colour, owner, "colour")
         categories = to_mask(mask, owner)
         place = to_place((0.0, 0.0) if at is None else at)
+        for name, flag in (("shadows", shadows), ("on", on), ("static", static)):
+            switch(flag, owner, name)
 
         spot = not sun and (direction is not None or cone is not None)
         light = Light(self, *self._core.add(where))

@@ -23,7 +23,7 @@ from evilengine.scene.sliced import Sliced, on_shape, sliced, tile_size
 from evilengine.scene.surface import to_glow
 from evilengine.scene.text import Fonts, Text
 from evilengine.scene.waters import WaterLook, WaterLooks
-from evilengine.values.checks import known_keywords, number, one_of
+from evilengine.values.checks import known_keywords, number, one_of, switch
 from evilengine.values.colour import BACKGROUND, PALETTE, STONE, WHITE, Colour, ColourLike, to_colour
 from evilengine.values.drawlist import DrawList
 from evilengine.values.errors import ArgumentError, ArgumentTypeError
@@ -177,6 +177,8 @@ class Scene(Shown):
                 f"{owner}: tile={tile!r} needs a texture, and neither texture_points nor texture_matrix"
             )
         mixed = BLENDS.index(one_of(blend, owner, "blend", BLENDS))
+        mirrored = switch(flip_x, owner, "flip_x"), switch(flip_y, owner, "flip_y")
+        seen, in_light = switch(visible, owner, "visible"), switch(lit, owner, "lit")
         form = shape
         if slice is not None:
             others = (tile, texture_points, texture_matrix, colours)
@@ -184,7 +186,7 @@ class Scene(Shown):
                 raise ArgumentError(
                     f"{owner}: slice={slice!r} needs a texture, and no tile, texture_points, texture_matrix or colours"
                 )
-            form = sliced(shape, slice, self.size_of(texture, owner), owner)
+            form = sliced(shape, slice, self._size_of(texture, owner), owner)
             place = on_shape(shape, place)
         layer = to_layer(layer, owner)
         behind, depth = to_depth(behind, depth, owner)
@@ -194,12 +196,12 @@ class Scene(Shown):
         core.set_matrix(*handle, place)
         core.set_tint(*handle, tint.rgba8)
         self._show(handle, *look)
-        core.set_flip_x(*handle, bool(flip_x))
-        core.set_flip_y(*handle, bool(flip_y))
+        core.set_flip_x(*handle, mirrored[0])
+        core.set_flip_y(*handle, mirrored[1])
         core.set_blend(*handle, mixed)
         core.set_layer(*handle, layer)
-        core.set_visible(*handle, bool(visible))
-        core.set_lit(*handle, bool(lit))
+        core.set_visible(*handle, seen)
+        core.set_lit(*handle, in_light)
         core.set_surface(*handle, *surface)
         core.set_glow(*handle, shine)
         core.set_behind(*handle, behind)

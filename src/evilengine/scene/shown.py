@@ -54,7 +54,7 @@ class Shown:
             self._dress(texture, what)
         return texture
 
-    def size_of(self, texture: str | Sheet, owner: str) -> tuple[float, float]:
+    def _size_of(self, texture: str | Sheet, owner: str) -> tuple[float, float]:
         """Width and height of a picture, or of each frame of a sheet, in logical points."""
         if self._sizes is None:
             raise ArgumentError(f"{owner}: texture={texture!r}: this scene knows no sizes; Scene(sizes=...) takes them")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from evilengine.script.air import PARTICLES
 from evilengine.script.arithmetic import formula
-from evilengine.script.checker import place_of, thing
+from evilengine.script.checker import place_of
 from evilengine.script.fluid_building import add_fluid, add_water
 from evilengine.script.fluids import FLUIDS
 from evilengine.script.joints import JOINTS
@@ -15,7 +15,7 @@ from evilengine.script.shaping import Settings, ShapeBuilder
 from evilengine.script.syntax import Expression, Identifier, Literal, New, Setting, Spot, Text
 from evilengine.script.waters import FILLING, LIQUID, WATERS
 from evilengine.script.word import MOST_COLUMNS, PLACE, Property, Range, plain
-from evilengine.script.words import KINDS, kind_called, property_of
+from evilengine.script.words import KINDS, has, kind_called, property_of
 from evilengine.values import level as values
 from evilengine.values.level import (
     Area,
@@ -98,7 +98,7 @@ class ThingBuilder(ShapeBuilder):
                 if word not in found:
                     entry = property_of(word, family)
                     hint = f"as in: {example_of(entry)}" if entry else ""
-                    self.error("missing-property", f"a {kind.word} needs {word}", statement.place, hint)
+                    self.error("missing-property", f"{has(kind.word, 'needs')} {word}", statement.place, hint)
         return found
 
     def by_word(self, settings: tuple[Setting, ...], family: str) -> Settings:
@@ -219,7 +219,7 @@ class ThingBuilder(ShapeBuilder):
         """Only a rectangle has borders, and a colour is for each corner."""
         kind = KINDS[statement.kind or ""]
         if "slice" in settings and kind.word != "rectangle":
-            self.error("wrong-property", f"a {kind.word} has no borders to slice", settings["slice"][0].place,
+            self.error("wrong-property", f"{has(kind.word)} no borders to slice", settings["slice"][0].place,
                        "slice is for rectangle")  # fmt: skip
         if "colours" not in settings:
             return
@@ -227,7 +227,7 @@ class ThingBuilder(ShapeBuilder):
         self._exclude(settings, "colour", "colours")
         corners = 4 if kind.word == "rectangle" else len(statement.corners)
         if kind.open or not corners:
-            self.error("wrong-property", f"a {kind.word} has no corners to colour", setting.place, "say: colour")
+            self.error("wrong-property", f"{has(kind.word)} no corners to colour", setting.place, "say: colour")
         elif len(setting.values) != corners and not statement.broken:
             message = f"this {kind.word} has {corners} corners, but {len(setting.values)} colours"
             self.error("wrong-count", message, setting.place, "write one for each")
@@ -329,7 +329,7 @@ class ThingBuilder(ShapeBuilder):
                 return self.pair(item, entry.word, entry.range, measure)
             case Identifier():
                 families = entry.of or BODIES
-                made = self.called(item, families, thing(families[0]))
+                made = self.called(item, families, "thing" if families[0] == "body" else families[0])
                 return Called(made.name if made else item.name)
             case _:
                 return self._amount(item, entry)

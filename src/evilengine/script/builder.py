@@ -6,12 +6,13 @@ from evilengine.script.air import PARTICLES
 from evilengine.script.arithmetic import Bounds
 from evilengine.script.bodies import BODIES, ThingBuilder
 from evilengine.script.characters import TELLINGS
-from evilengine.script.checker import thing
+from evilengine.script.expressions import cut
 from evilengine.script.filming import CAMERA, NEEDS
 from evilengine.script.fluids import FLUIDS
 from evilengine.script.joints import JOINTS
 from evilengine.script.lighting import LIGHT
 from evilengine.script.names import DRAWING, NUMBER, SOMETHING, TEXT, Made
+from evilengine.script.settings import example_of, one_of
 from evilengine.script.syntax import (
     Block,
     Change,
@@ -33,7 +34,7 @@ from evilengine.script.syntax import (
 )
 from evilengine.script.waters import LIQUID, WATERS
 from evilengine.script.word import ANY, LANGUAGE_VERSION, MAX_ROUNDS, MAX_WORK, Range
-from evilengine.script.words import CHARACTER_EVENTS, MEETINGS, changes_of, property_of
+from evilengine.script.words import CHARACTER_EVENTS, MEETINGS, changes_of, has, properties_of, property_of, some
 from evilengine.values import level as values
 from evilengine.values.level import Called, Command, Number, Option, Place, Tagged, Value
 from evilengine.values.tick import FASTEST, SLOWEST
@@ -182,8 +183,13 @@ class Builder(ThingBuilder):
             said = self.picture(what) if is_picture else self.colour(what)
             if settings and not is_picture:
                 (first, *_) = statement.settings
-                self.error("wrong-property", f"a colour has no {first.word}", first.place, "a picture has")
+                message = f"{first.word} is for pictures, and {cut(said)} is a colour"
+                self.error("wrong-property", message, first.place, f'as in: background "hills.png" {first.word} ...')
             return [] if statement.broken else [values.SetBackground(place, said, options)]
+        if statement.word != "background" and not settings and not statement.broken:
+            usual = properties_of(statement.word)[0].example
+            message = f"{statement.word} needs a property"
+            self.error("missing-property", message, place, f"as in: {usual.splitlines()[-1]}")
         if statement.broken:
             return []
         if statement.word == "lens":
@@ -191,7 +197,8 @@ class Builder(ThingBuilder):
         if statement.word == CAMERA:
             for word, needed in NEEDS:
                 if word in settings and not settings.keys() & set(needed):
-                    self.error("missing-property", f"{word} needs {' or '.join(needed)}", settings[word][0].place)
+                    hint = f"as in: {example_of(entry)}" if (entry := property_of(needed[0], CAMERA)) else ""
+                    self.error("missing-property", f"{word} needs {one_of(needed)}", settings[word][0].place, hint)
             return [values.SetCamera(place, options)]
         assert what is not None and not isinstance(what, Text | Identifier | Spot)  # noqa: PT018
         layer = self.whole(what, "the layer", Range(least=-1000.0, most=1000.0))
@@ -276,7 +283,7 @@ class Builder(ThingBuilder):
             if entry is None:
                 return []
         if entry is None or not entry.settable:
-            message = f"a {family} has no {statement.setting.word} to change"
+            message = f"{has(family)} no {statement.setting.word} to change"
             self.error("wrong-property", message, statement.setting.place, changes_of(family))
             return []
         if entry.takes == "flag":
@@ -292,7 +299,7 @@ class Builder(ThingBuilder):
         made = self.names.find(target.name)
         if made is not None and made.family not in (NUMBER, SOMETHING):
             hint = f"say what of it changes, as in: set {target.name} angle 30;"
-            self.error("wrong-thing", f"'{target.name}' is a {thing(made.family)}, not a number", target.place, hint)
+            self.error("wrong-thing", f"'{target.name}' is {some(made.family)}, not a number", target.place, hint)
             return []
         made = self.called(target, (NUMBER,), "number")
         if made is not None and made.fixed:

@@ -20,7 +20,7 @@ from evilengine.script.names import NUMBER, SOMETHING, Made, Names, reserved
 from evilengine.script.settings import one_of
 from evilengine.script.syntax import Expression, Identifier, Level, Literal, Operation, Reference, Spot, Text
 from evilengine.script.word import ANY, MEASURES, UNITS, Kind, Range, plain
-from evilengine.script.words import EVENT_NAMES, near
+from evilengine.script.words import EVENT_NAMES, near, some
 from evilengine.values.colour import NAMES as COLOURS
 from evilengine.values.colour import to_colour
 from evilengine.values.errors import ArgumentError
@@ -171,7 +171,7 @@ class Checker:
         if made.family not in (NUMBER, SOMETHING):
             self.error(
                 "not-a-number",
-                f"'{cut(reference.name)}' is a {thing(made.family)}, not a number",
+                f"'{cut(reference.name)}' is {some(made.family)}, not a number",
                 reference.place,
                 "only counters and names made by let stand in arithmetic",
             )
@@ -207,7 +207,7 @@ class Checker:
         if made.family not in families and made.family != SOMETHING:
             self.error(
                 "wrong-thing",
-                f"'{cut(name.name)}' is a {thing(made.family)}, and this needs a {wanted}",
+                f"'{cut(name.name)}' is {some(made.family)}, and this needs {some(wanted)}",
                 name.place,
                 self._alternatives(name.name, families),
             )
@@ -399,11 +399,6 @@ def _from_one(message: str) -> str:
 
     message = re.sub(r"holes\[(\d+)\]", lambda match: f"hole {int(match.group(1)) + 1}", message)
     return re.sub(r"\b(corners?|edges?|points?|and) (\d+)(?:-(\d+))?", one_more, message)
-
-
-def thing(family: str) -> str:
-    """A family as people say it."""
-    return {"body": "thing"}.get(family, family)
 
 
 def place_of(expression: Expression) -> Place:

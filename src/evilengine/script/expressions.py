@@ -97,7 +97,11 @@ class Expressions:
     def starts_statement(self, token: Token) -> bool:
         if token.text in self.refused and not token.first:
             return False  # somebody uses it as a name, which has been said
-        return token.kind == "name" and token.text in STATEMENTS
+        return token.kind == "name" and token.text in STATEMENTS and (token.text != "on" or self.begins_event(token))
+
+    def begins_event(self, token: Token) -> bool:
+        """Whether this `on` begins a statement, and does not say that something is on."""
+        return token.text == "on" and (token is not self.token or self.next.kind in ("name", "string", "{"))
 
     def error(self, code: str, message: str, where: Token | Place, suggestion: str = "") -> None:
         """Note an error; the example in "..., as in: EXAMPLE" becomes the suggestion when there is no better one."""
@@ -192,7 +196,8 @@ class Expressions:
 
     def _is_foreign(self, token: Token) -> bool:
         """A word that is no part of the language, so it can only have been meant as this value."""
-        return token.text not in RESERVED and not token.first
+        is_on = token.text == "on" and not self.begins_event(token)
+        return (token.text not in RESERVED or is_on) and not token.first
 
     def _signed(self, wanted: str) -> Expression:
         sign, after = self.token, self.next

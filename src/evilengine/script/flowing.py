@@ -37,5 +37,5 @@ class Flowing(Steered):
             raise Skip
         name = self.name_to_make()
         if name is not None:
-            self.made.add(name.name)
+            self.made[name.name] = "stream"
         return name

@@ -15,6 +15,8 @@ from evilengine.script.words import (
     PROPERTY_WORDS,
     RESERVED,
     changes_of,
+    has,
+    meant_for,
     near,
     near_property,
     near_statement,
@@ -63,7 +65,7 @@ class Settings(Expressions):
         """A property; none, after an error that left nothing to use."""
         token = self.token
         if token.kind != "name":
-            self._unexpected(token)
+            self._unexpected(token, family)
             return ()
         entry = property_of(token.text, family)
         if entry is None and token.text in PROPERTY_WORDS:
@@ -82,11 +84,12 @@ class Settings(Expressions):
         self.advance()
         return (Setting(entry.word, self._values(entry), token.place),)
 
-    def _unexpected(self, token: Token) -> None:
+    def _unexpected(self, token: Token, family: str) -> None:
         if token.kind == "number" or token.kind in ("(", "-", "+"):
-            self.error(
-                "odd-number", f"the number {cut(token.text)} belongs to nothing", token, "what is it? as in: angle 30"
-            )
+            entry = property_of("at", family) or property_of("angle", "body")
+            assert entry is not None
+            what = "what stands in these ( )" if token.kind == "(" else f"the number {cut(token.text)}"
+            self.error("odd-number", f"{what} belongs to nothing", token, f"what is it? as in: {example_of(entry)}")
         elif token.kind == "string":
             self.error("odd-text", f"{shown(token)} belongs to nothing", token, 'what is it? as in: colour "red"')
         elif token.kind in ("=", "=="):
@@ -112,10 +115,15 @@ class Settings(Expressions):
         meant = next((each.word for each in own if token.text in each.meant), "")
         names = ", ".join(each.word for each in own)
         hint = f"did you mean '{meant}'?" if meant else f"it takes {names}" if names else ""
+        if family == "drawing" and "body" in entry.families:
+            hint = f"what is drawn is only seen; what new makes has {token.text}"
+        if self.last.text in KINDS:
+            hint = f"if it is a name, choose another, such as {token.text}1"
         if family:
-            self.error("wrong-property", f"a {owner} has no {token.text}", token, hint)
+            self.error("wrong-property", f"{has(owner)} no {token.text}", token, hint)
         self.advance()
-        self._values(entry)
+        if self.token.kind == "string" or self.at_number():
+            self._values(entry)
 
     def _is_kind_or_joining(self, token: Token) -> bool:
         if token.text not in RESERVED:
@@ -133,10 +141,18 @@ class Settings(Expressions):
             return  # what it belongs to is unknown, and that has been said
         self.error("unknown-property", f"there is no property {shown(token)}", token, hint)
 
-    def setting_to_change(self) -> Setting:
-        """The property and value of `set`; flags take on or off there."""
+    def setting_to_change(self, family: str) -> Setting:
+        """The property and value of `set` for something of a family, "" if nobody knows; flags take on or off."""
         token = self.token
         changeable = {each.word: each for each in PROPERTIES if each.settable}
+        own = [each for each in properties_of(family) if each.settable] or list(changeable.values())
+        if token.text in _SWITCHES and not self.begins_event(token):
+            shine = f"set lamp out {'off' if token.text == 'on' else 'on'};"
+            flag = next((each.word for each in own if each.takes == "flag"), "lit")
+            example = shine if family == "light" else f"set ball {flag} {token.text};"
+            self.error("missing-property", f"set needs what is {token.text}, as in: {example}", token)
+            self.advance()
+            raise Skip
         if token.kind != "name" or self.starts_statement(token):
             where: Token | Place = self.after_last() if token.kind in (";", "}", "{", "end") else token
             self.error("missing-property", "set needs what to change, as in: set ball velocity 1 0;", where)
@@ -148,11 +164,11 @@ class Settings(Expressions):
                 self.error("wrong-property", f"{word} cannot be changed later", token, _changes_near(word))
                 self.advance()
                 raise Skip
-            suggestion = near(word, changeable) or near_property(word, "body")
+            suggestion = near(word, [each.word for each in own], meant_for(own))
             entry = changeable.get(suggestion or "")
-            hint = f"did you mean '{suggestion}'?" if entry else changes_of("body")
+            hint = f"did you mean '{suggestion}'?" if entry else changes_of(family or "body") or changes_of("body")
             self.error("unknown-property", f"there is no property {shown(token)}", token, hint)
-            if entry is None:
+            if entry is None or self.next.kind in (";", "}", "end"):
                 self.advance()
                 raise Skip
         self.advance()
@@ -179,7 +195,7 @@ class Settings(Expressions):
             case "point" | "direction" | "spot":
                 return (self.spot(f"{word} needs two numbers, {as_in}"),)
             case "colour":
-                return (self.colour(word),)
+                return (self.colour(word, as_in),)
             case "colours":
                 return self._colours(word, as_in)
             case "corners":
@@ -253,7 +269,9 @@ class Settings(Expressions):
 
     def _no_value(self, word: str) -> None:
         token = self.token
-        if token.kind == "name" and token.text in ("off", "true", "false", "yes", "no"):
+        if token.kind == "name" and token.text in ("on", "off", "true", "false", "yes", "no"):
+            if self.begins_event(token):
+                return
             self.error("odd-word", f"{word} stands alone, without {shown(token)}", token, "leave it out")
             self.advance()
 
@@ -274,19 +292,27 @@ class Settings(Expressions):
         guess = _TRUTHS.get(token.text.lower())
         where: Token | Place = token if guess or token.kind == "name" else self.after_last()
         self.error("missing-switch", f"{word} is on or off", where, f"did you mean '{guess}'?" if guess else "")
-        if guess:
+        if token.kind in ("name", "number") and not token.first and not self.starts_statement(token):
             self.advance()
+        if guess:
             return Identifier(guess, token.place)
         raise Skip
 
-    def colour(self, word: str) -> Text:
+    def colour(self, word: str, as_in: str = "") -> Text:
         """A colour's name, with or without quotes, or `"#rrggbb"` in quotes."""
         token = self.token
+        if token.kind == "name" and self.next.kind == "(" and self.next.start == token.end:
+            self.advance()
+            self._skip_values()
+            hint = f'as in: {word} "red", or {word} "#cc9966"'
+            self.error("unknown-colour", f"a colour is not worked out, as by {cut(token.text)}( )", token, hint)
+            raise Skip
         if token.kind == "string" or (token.kind == "name" and token.text not in RESERVED and not token.first):
             self.advance()
             return Text(token.text, token.place)
         where: Token | Place = self.after_last() if token.kind in (";", "}", "{", "end", "name") else token
-        self.error("missing-colour", f"{word} needs a colour", where, f'as in: {word} "red", or {word} "#cc9966"')
+        usual = f'as in: {word} "red", or {word} "#cc9966"'
+        self.error("missing-colour", f"{word} needs a colour", where, as_in if "#" in as_in else usual)
         if token.kind == "number":
             self.advance()
         raise Skip

@@ -6,10 +6,21 @@ from abc import ABC, abstractmethod
 
 from evilengine.script.expressions import Skip, cut, shown
 from evilengine.script.lexer import Source, Token
-from evilengine.script.settings import Settings
+from evilengine.script.settings import Settings, one_of
 from evilengine.script.syntax import Block, Change, Expression, Identifier, New, Sounding, Spot, Text, TextLine
 from evilengine.script.word import Kind
-from evilengine.script.words import DRAWN, FUNCTIONS, KINDS, PROPERTY_WORDS, RESERVED, near_kind, placed
+from evilengine.script.words import (
+    DRAWN,
+    FUNCTIONS,
+    KINDS,
+    PROPERTY_WORDS,
+    RESERVED,
+    has,
+    near_kind,
+    placed,
+    property_of,
+    some,
+)
 from evilengine.values.level import Place
 
 
@@ -18,8 +29,8 @@ class Things(Settings, ABC):
 
     def __init__(self, source: Source, tokens: list[Token]) -> None:
         super().__init__(source, tokens)
-        self.made: set[str] = set()
-        """Names made so far, wherever; only for better suggestions."""
+        self.made: dict[str, str] = {}
+        """Names made so far, wherever, and their families; only for better suggestions."""
         self._swapped: Identifier | None = None
         """A name that was written before its kind."""
 
@@ -38,7 +49,7 @@ class Things(Settings, ABC):
             if self.at_number() or target.name in self.number_names:
                 value = self.number(f"set {cut(target.name)} needs a number, as in: set {cut(target.name)} 1;")
             else:
-                setting = self.setting_to_change()
+                setting = self.setting_to_change(self.made.get(target.name, ""))
         except Skip:
             self.resync()
         broken = self.broken(before)
@@ -52,7 +63,7 @@ class Things(Settings, ABC):
         if self.token.kind == "name" and self.token.text not in PROPERTY_WORDS:
             name = self.name_to_make()
             if name is not None:
-                self.made.add(name.name)
+                self.made[name.name] = "text"
         if self.token.kind != "string":
             if name is not None:
                 self.error(
@@ -92,10 +103,12 @@ class Things(Settings, ABC):
     def thing(self, place: Place, before: int, *, drawn: bool = False) -> New:
         kind, kind_place = self._kind("draw" if drawn else "new")
         if drawn and kind is not None and kind.word not in DRAWN:
-            hint = f"draw makes pictures of {', '.join(DRAWN)}"
-            self.error("wrong-kind", f"a {kind.word} cannot be drawn", kind_place or place, hint)
+            hint = f"write: new {kind.word}; draw makes pictures of {one_of(DRAWN)}"
+            self.error("wrong-kind", f"{some(kind.word)} cannot be drawn", kind_place or place, hint)
         family = "drawing" if drawn else kind.family if kind else ""
         name = self._name_of_new(family)
+        if name is not None:
+            self.made[name.name] = family
         sizes: tuple[Expression, ...] = ()
         corners: tuple[Spot, ...] = ()
         try:
@@ -115,6 +128,10 @@ class Things(Settings, ABC):
         if token.kind != "name" or self.starts_statement(token):
             kinds = DRAWN if word == "draw" else KINDS
             message = f"{word} needs what to make, as in: {word} circle 0.5 at 0 3;"
+            if token.kind == "name" and not token.first:
+                hint = f"{token.text} stands alone: leave {word} out"
+                self.error("missing-kind", f"{word} does not go with {token.text}", self.last, hint)
+                raise Skip
             self.error("missing-kind", message, self.after_last(), f"there are {', '.join(kinds)}")
             raise Skip
         self.advance()
@@ -126,7 +143,6 @@ class Things(Settings, ABC):
                 "word-order", "the kind comes before the name", token, f"write: {word} {after.text} {cut(token.text)}"
             )
             self.advance()
-            self.made.add(token.text)
             self._swapped = Identifier(token.text, token.place)
             return KINDS[after.text], after.place
         suggestion = near_kind(token.text)
@@ -158,10 +174,7 @@ class Things(Settings, ABC):
         )
         if not name_follows and self.near_property(token.text, family):
             return None  # a misspelt property, which its reader reports
-        name = self.name_to_make()
-        if name is not None:
-            self.made.add(name.name)
-        return name
+        return self.name_to_make()
 
     def _sizes(self, kind: Kind | None) -> tuple[Expression, ...]:
         start = self.token.start
@@ -186,7 +199,13 @@ class Things(Settings, ABC):
         where = self.span(start) if result else self.after_last()
         lines = kind.example.splitlines()
         example = next((line for line in lines if line.split()[:2] == ["new", kind.word]), lines[-1])
-        self.error("wrong-count", f"a {kind.word} takes {form}; {found}", where, f"as in: {example}")
+        hint = f"as in: {example}"
+        if not wanted and len(result) == 2 and property_of("at", kind.family):
+            hint = "its place comes after at, as in: at 0 3"
+        elif not result and self.token.text in PROPERTY_WORDS - {"at"} and self.next.kind == "number":
+            word = self.token.text
+            hint = f"'{word}' is a word of the language, so as a name write {word}1; or {hint}"
+        self.error("wrong-count", f"{has(kind.word, 'takes')} {form}; {found}", where, hint)
         return tuple(result)
 
     def _corners(self, kind: Kind) -> tuple[Spot, ...]:
@@ -198,7 +217,7 @@ class Things(Settings, ABC):
             where = self.span(start) if result else self.after_last()
             allowed = f"{fewest} {word}s" if fewest == most else f"{fewest} to {most} {word}s"
             found = "there is none" if not result else f"here {'is' if len(result) == 1 else 'are'} {len(result)}"
-            self.error("wrong-count", f"a {kind.word} has {allowed}; {found}", where, f"as in: {kind.example}")
+            self.error("wrong-count", f"{has(kind.word)} {allowed}; {found}", where, f"as in: {kind.example}")
         return result
 
     # The end of a statement
@@ -221,6 +240,7 @@ class Things(Settings, ABC):
     def _left_over(self, token: Token) -> None:
         if not self.unit_apart():
             self.error("odd-word", f"{shown(token)} has no place here", token, "is a ; missing before it?")
+            self.advance()
         self.resync()
         while self.token.kind == "name" and self.token.text in PROPERTY_WORDS and not self.token.first:
             self.advance()

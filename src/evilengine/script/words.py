@@ -51,7 +51,31 @@ def changes_of(family: str) -> str:
     'of a liquid, set changes density, viscosity, surfaceTension, colour'
     """
     words = [each.word for each in properties_of(family) if each.settable]
-    return f"of a {'thing' if family == 'body' else family}, set changes {', '.join(words)}" if words else ""
+    return f"of {some(family)}, set changes {', '.join(words)}" if words else ""
+
+
+_MANY = frozenset({"particles", "walls"})
+_MUCH = frozenset({"smoke", "water", "drag", "music"})
+_OF_FAMILY = {"body": "thing"}
+
+
+def some(word: str) -> str:
+    """A kind or family as people speak of one: with its article, if it has one.
+
+    >>> some("light"), some("particles"), some("smoke"), some("body")
+    ('a light', 'particles', 'smoke', 'a thing')
+    """
+    word = _OF_FAMILY.get(word, word)
+    return word if word in _MANY | _MUCH else f"{'an' if word[:1] in 'aeiou' else 'a'} {word}"
+
+
+def has(word: str, verb: str = "has") -> str:
+    """A kind or family with what it does.
+
+    >>> has("light"), has("particles"), has("particles", "needs"), has("walls", "takes")
+    ('a light has', 'particles have', 'particles need', 'walls take')
+    """
+    return f"{some(word)} {({'has': 'have'}.get(verb) or verb.removesuffix('s')) if word in _MANY else verb}"
 
 
 def takes(kind: Kind, entry: Property) -> bool:
@@ -107,6 +131,7 @@ def near_property(wrong: str, family: str) -> str | None:
 
 __all__ = [
     "ARITY", "CHARACTER_EVENTS", "DRAWN", "EVENTS", "EVENT_MEANT", "EVENT_NAMES", "FUNCTIONS", "JOINING_WORDS", "KINDS",
-    "MEETINGS", "PROPERTIES", "PROPERTY_WORDS", "RESERVED", "STATEMENTS", "kind_called", "meant_for", "near",
-    "near_kind", "near_property", "near_statement", "placed", "properties_of", "property_of", "takes",
+    "MEETINGS", "PROPERTIES", "PROPERTY_WORDS", "RESERVED", "STATEMENTS", "changes_of", "has", "kind_called",
+    "meant_for", "near", "near_kind", "near_property", "near_statement", "placed", "properties_of", "property_of",
+    "some", "takes",
 ]  # fmt: skip

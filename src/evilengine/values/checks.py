@@ -73,11 +73,11 @@ def to_float(value: object) -> float:
 def _allowed(above: float | None, least: float | None, most: float | None) -> str:
     parts = []
     if above is not None:
-        parts.append(f"more than {above:g}")
+        parts.append(f"more than {above:.10g}")
     if least is not None:
-        parts.append(f"at least {least:g}")
+        parts.append(f"at least {least:.10g}")
     if most is not None:
-        parts.append(f"at most {most:g}")
+        parts.append(f"at most {most:.10g}")
     return "a finite number" + (", " + " and ".join(parts) if parts else "")
 
 
@@ -93,6 +93,17 @@ def one_of(value: object, owner: str, argument: str, allowed: Iterable[str]) -> 
     raise ArgumentError(
         f"{owner}: {argument}={value!r} must be one of {', '.join(map(repr, words))}{did_you_mean(value, words)}"
     )
+
+
+def switch(value: object, owner: str, argument: str) -> bool:
+    """`value` as True or False; words such as "no" are neither.
+
+    >>> switch(1, "Drawing", "lit")
+    True
+    """
+    if value is None or isinstance(value, str):
+        raise ArgumentTypeError(f"{owner}: {argument}={value!r} must be True or False")
+    return bool(value)
 
 
 def did_you_mean(word: object, words: Iterable[str]) -> str:
