@@ -119,11 +119,20 @@ void read_payload(Reader& ar, SavedState& s) {
 
 bool taken(const std::vector<bool>& list, std::uint32_t slot) { return slot < list.size() && list[slot]; }
 
+// Is the centre of mass where the body's place says, but for how that rounds?
+bool lies_in_its_place(const Body& b) {
+    const Vec2 away = b.centre - transform(b.pose, b.local_centre);
+    auto close = [&](float far, float centre, float own) {
+        return std::abs(far) <= 1e-3f * (1.0f + std::abs(centre) + std::abs(own));
+    };
+    return close(away.x, b.pose.p.x, length(b.local_centre)) && close(away.y, b.pose.p.y, length(b.local_centre));
+}
+
 bool bodies_hold_together(const SavedState& s) {
     for (std::uint32_t i = 0; i < s.body_taken.size(); ++i) {
         if (!s.body_taken[i]) continue;
         const Body& b = s.bodies.rows[i];
-        if (b.kind > BodyKind::dynamic || b.serial >= s.bodies.next_serial) return false;
+        if (b.kind > BodyKind::dynamic || b.serial >= s.bodies.next_serial || !lies_in_its_place(b)) return false;
         if ((b.first_shape == kNone) != (b.last_shape == kNone)) return false;
         std::size_t steps = 0;
         std::uint32_t last = kNone;

@@ -6,6 +6,7 @@ import math
 import random
 import struct
 
+import numpy as np
 import pytest
 from fuzz.seeds import with_fluids
 from test_layout_of_snapshots import world_with_one_of_each
@@ -55,6 +56,10 @@ def refused_or_sound(data: bytes) -> bool:
         world.step()
     for body in world.bodies:
         assert all(map(math.isfinite, (*body.position, body.angle, *body.velocity, body.angular_velocity)))
+    views = [view for water in world.waters for view in (water.positions, water.velocities)]
+    for smoke in world.smokes:
+        views += [smoke.density, smoke.temperature, smoke.fuel, smoke.velocity]
+    assert all(np.isfinite(np.asarray(view)).all() for view in views)
     return False
 
 
@@ -79,6 +84,15 @@ def test_a_forged_snapshot_is_refused_or_makes_a_world_that_steps(kind: str) -> 
             forged[at : at + len(new)] = new
         refused += refused_or_sound(sealed(bytes(forged[: len(payload)]), data))
     assert 0 < refused < forgeries
+
+
+@pytest.mark.parametrize("number", [-3.4e38, 1e-45])
+def test_forged_numbers_may_be_as_large_and_as_small_as_there_are(number: float) -> None:
+    data = with_fluids().snapshot()
+    payload = payload_of(data)
+    forgeries = [payload[:at] + struct.pack("<f", number) + payload[at + 4 :] for at in range(0, len(payload) - 3, 13)]
+    refused = sum(refused_or_sound(sealed(forged, data)) for forged in forgeries)
+    assert 0 < refused < len(forgeries)
 
 
 @pytest.mark.parametrize("kind", WORLDS)

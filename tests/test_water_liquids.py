@@ -132,3 +132,15 @@ def test_a_restored_water_goes_on_with_the_same_bits() -> None:
     world.restore(saved)  # what a water found out on its way is forgotten
     run(world, 1.5)
     assert world.checksum() == fresh.checksum()
+
+
+@pytest.mark.parametrize("light", [1e-38, 1e-6])
+def test_a_liquid_that_weighs_next_to_nothing_beside_the_other(light: float) -> None:
+    world = evil.World(gravity=(0, -10))
+    water = world.add_water((0, 0, 2, 2), particle_size=0.05, density=light)
+    heavy = water.add_liquid(density=1e6)
+    water.fill((0, 0, 2, 0.5))
+    water.fill((0, 0.5, 2, 1), liquid=heavy)
+    for _ in range(60):
+        world.step(1 / 60)
+    assert abs(np.asarray(water.velocities)).max() < 20

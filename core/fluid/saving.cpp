@@ -3,6 +3,7 @@
 #include "fluid/water/pouring.hpp"
 #include "world.hpp"
 #include <algorithm>
+#include <cmath>
 
 namespace evil {
 namespace {
@@ -37,6 +38,11 @@ std::unique_ptr<Smoke> read_smoke(Reader& ar) {
     smoke->born = kind.born;
     smoke->views->colour.resize(coloured);
     visit_content(ar, *smoke);
+    if (smoke->method == fluid::Method::stam) return smoke;                                     // which has no faces
+    for (fluid::Field* field : {&smoke->u, &smoke->v, &smoke->pressure, &smoke->half_pressure}) // no step leaves more
+        for (int j = 0; j <= grid.ny; ++j)
+            for (std::ptrdiff_t at = grid.at(0, j); at <= grid.at(grid.nx, j); ++at)
+                ar.ok = ar.ok && std::abs((*field)[at]) <= kLargest;
     return smoke;
 }
 

@@ -11,6 +11,7 @@ namespace {
 constexpr float kSkin = 0.1f; // cells that particles keep from walls and bodies
 constexpr std::size_t kSpare = 8;
 constexpr float kMostDrift = 0.2f; // cells a step
+constexpr float kLightest = 1e-3f; // of the heaviest: as air is beside water; beyond, no pressure could be found
 constexpr float kDrift = 0.05f;    // s: how long a drop of one liquid falls in another until it has its speed
 
 struct Limits { // of places, in cells
@@ -136,7 +137,8 @@ void take_in(const World& world, Water& water) {
         }
     const float heavy = heaviest(water);
     std::array<float, kMostLiquids> mass{};
-    for (std::size_t k = 0; k < water.liquids.size(); ++k) mass[k] = water.liquids[k].density / heavy;
+    for (std::size_t k = 0; k < water.liquids.size(); ++k)
+        mass[k] = std::max(water.liquids[k].density / heavy, kLightest);
     const std::size_t last_liquid = water.liquids.size() - 1;
     float fastest = 0.0f;
     for (std::size_t k = 0; k < water.count; ++k) {

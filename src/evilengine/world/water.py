@@ -392,12 +392,13 @@ class Waters(Fluids):
         me = "World.add_water"
         box = to_area(area, me)
         size = number(particle_size, me, "particle_size", above=0.0, most=1e4)
-        nx, ny = (max(LEAST_CELLS, round((box[k + 2] - box[k]) / (CELL * size))) for k in (0, 1))
-        if max(nx, ny) > MOST_CELLS:
-            least = max(box[2] - box[0], box[3] - box[1]) / (CELL * MOST_CELLS)
+        wide, high = box[2] - box[0], box[3] - box[1]
+        least = max(wide, high) / (CELL * (MOST_CELLS + 0.4))
+        if size < least:
             raise ArgumentError(
                 f"{me}: particle_size={particle_size!r} is too small for this area; at least {least:.2g} fits"
             )
+        nx, ny = (max(LEAST_CELLS, round(side / (CELL * size))) for side in (wide, high))
         thickness, tension = viscosity, surface_tension
         liquid = made_of(density, thickness, tension, colour, me)
         slot = _core.add_water(
