@@ -25,7 +25,10 @@ inline Vec2 clamped(Vec2 v, float limit) { return {clamped(v.x, limit), clamped(
 
 inline constexpr float kMaxForce = 1e30f; // newtons, and whatever else only has to stay finite
 
-// What every step reads of every body comes first, in 64 bytes, so that one line of the cache holds it (collider/placed.hpp).
+inline constexpr float kUnknown = -1.0f; // of what is never negative: to be worked out when it is asked for
+
+// What every step reads of every body comes first, in 64 bytes, so that one line of the cache holds it (collider/placed.hpp);
+// what it does to those that move fills the next.
 struct alignas(64) Body {
     BodyKind kind = BodyKind::dynamic;
     bool bullet = false, touchable = false, awake = true;
@@ -43,11 +46,14 @@ struct alignas(64) Body {
     Vec2 acceleration; // of the last step, by forces alone: a resting contact takes it out (SPEC C7)
 
     float mass = 0.0f, inv_mass = 0.0f, inertia = 0.0f, inv_inertia = 0.0f; // inertia about the centre of mass
-    float set_mass = 0.0f;                        // what the user asked for; 0: the shapes' densities decide
-    float damping = 1.0f, angular_damping = 1.0f; // fraction of velocity kept per second
-    float drag = 1.0f, gravity_scale = 1.0f;
+    float damping = 1.0f, angular_damping = 1.0f;                           // fraction of velocity kept per second
+    float gravity_scale = 1.0f;
+    float still_time = 0.0f; // seconds below the sleep speeds
+    float reach = kUnknown;  // metres from the centre of mass to the farthest point; it follows from the shapes
+
+    float drag = 1.0f;
+    float set_mass = 0.0f; // what the user asked for; 0: the shapes' densities decide
     float density = 1.0f, friction = 0.6f, restitution = 0.0f; // what a shape gets that is added without its own
-    float still_time = 0.0f;                                   // seconds below the sleep speeds
 
     std::uint64_t serial = 0;                              // order of creation, never used again within a world
     std::uint64_t born = 0;                                // step at which it was added

@@ -9,8 +9,8 @@ void wake_around(World& world, const std::vector<bool>& moved) {
         if (moved[body]) wake(world, body);
     for (Contact& c : world.contacts.rows) {
         if (!moved[c.body_a] && !moved[c.body_b]) continue;
-        c.settled = false;
-        if (c.sensor) continue;
+        c.look_again();
+        if (c.sensor()) continue;
         if (moved[c.body_a]) wake(world, c.body_b);
         if (moved[c.body_b]) wake(world, c.body_a);
     }

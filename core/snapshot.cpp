@@ -234,9 +234,6 @@ bool contacts_hold_together(const SavedState& s) {
         if (!rising || c.count > 2 || c.passage > Passage::passing || !taken(s.piece_taken, c.piece_a) ||
             !taken(s.piece_taken, c.piece_b))
             return false;
-        const Piece &p = s.shapes.pieces[c.piece_a], &q = s.shapes.pieces[c.piece_b];
-        if (c.shape_a != p.shape || c.shape_b != q.shape) return false;
-        if (c.body_a != s.shapes.rows[p.shape].body || c.body_b != s.shapes.rows[q.shape].body) return false;
     }
     return s.events.hit_speed >= 0.0f;
 }
@@ -396,6 +393,8 @@ ReadSnapshot read_snapshot(std::span<const std::uint8_t> bytes) {
     for (std::uint32_t body = 0; body < state->body_taken.size(); ++body)
         if (state->body_taken[body]) note_neighbours(state->shapes, state->bodies.rows[body]);
     for (Contact& c : state->contacts.rows) {
+        c.body_a = state->shapes.rows[shape_a(c, state->shapes)].body;
+        c.body_b = state->shapes.rows[shape_b(c, state->shapes)].body;
         c.fresh = false;
         mark(c, state->shapes);
     }

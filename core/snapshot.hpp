@@ -9,7 +9,7 @@
 namespace evil {
 
 // Goes up with each change of the layout; bytes of another number are refused. tests/test_layout_of_snapshots.py watches.
-inline constexpr std::uint32_t kSnapshotVersion = 7;
+inline constexpr std::uint32_t kSnapshotVersion = 8;
 
 std::size_t snapshot_size(const World& world);                        // bytes
 void write_snapshot(const World& world, std::span<std::uint8_t> out); // `out` of just that size

@@ -39,8 +39,8 @@ template <class A, Like<ManifoldPoint> V> void visit(A& ar, V& p) {
 }
 
 template <class A, Like<Contact> V> void visit(A& ar, V& c) {
-    visit(ar, c.piece_a, c.piece_b, c.shape_a, c.shape_b, c.body_a, c.body_b, c.axis.edge, c.axis.of_b, c.axis.known,
-          c.count, c.touching, c.struck, c.passage, c.normal, c.friction, c.restitution, c.points[0], c.points[1]);
+    visit(ar, c.piece_a, c.piece_b, c.axis.edge, c.axis.of_b, c.axis.known, c.count, c.touching, c.struck, c.passage,
+          c.normal, c.friction, c.restitution, c.points[0], c.points[1]);
 }
 
 template <class A, Like<Touch> V> void visit(A& ar, V& t) { // references by slot; generations are a process's own

@@ -14,7 +14,7 @@ bool meets_alike(const Traits& s, const Traits& t) {
 void set_traits(World& world, std::uint32_t shape, const Traits& traits) {
     Shape& row = world.shapes.rows[shape];
     if (row.traits == traits) return;
-    auto of_shape = [shape](const Contact& c) { return c.shape_a == shape || c.shape_b == shape; };
+    auto of_shape = [&](const Contact& c) { return is_of_shape(c, world.shapes, shape); };
     wake_touching(world, row.body);
     if (!meets_alike(row.traits,
                      traits)) // a pair that meets still is found again in the next step, and nothing is told

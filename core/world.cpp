@@ -22,8 +22,8 @@ void World::step(float dt, int substeps) {
     calm_buried(buried, bodies);
     stop_in_time(continuous, solver.paths, placed, bodies, shapes, joints);
     break_joints(*this);
-    sleep_islands(solver, bodies, contacts, joints, forces, shapes, dt, sleep_allowed);
-    find_events(events, contacts, shapes, bodies);
+    bool slept = sleep_islands(solver, bodies, contacts, joints, forces, shapes, dt, sleep_allowed, threads);
+    find_events(events, contacts, shapes, bodies, slept);
     ++steps;
     time += double(dt);
     search.moved = true;

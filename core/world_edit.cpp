@@ -42,6 +42,7 @@ Moments weigh(World& world, std::uint32_t slot) {
 // Mass, centre and inertia from the shapes, or a problem and no change.
 MassProblem update_mass(World& world, std::uint32_t slot) {
     Body& b = world.bodies.rows[slot];
+    b.reach = kUnknown;
     const Moments sum = weigh(world, slot);
     auto refuse = [&](MassProblem problem) {
         world.weighed = {}; // what was tried is taken back
@@ -207,7 +208,7 @@ void destroy_shape(World& world, std::uint32_t shape) {
     std::uint32_t body = world.shapes.rows[shape].body;
     wake_touching(world, body);
     forget_contacts(world.events, world.contacts, world.shapes, world.bodies,
-                    [shape](const Contact& c) { return c.shape_a == shape || c.shape_b == shape; });
+                    [&](const Contact& c) { return is_of_shape(c, world.shapes, shape); });
     unlink_shape(world, body, shape);
     remove_shape_row(world.shapes, shape);
     (void)update_mass(world, body); // with fewer shapes mass only shrinks; the last shape's mass is kept
@@ -277,8 +278,8 @@ void wake_touching(World& world, std::uint32_t body) {
     wake(world, body);
     for (Contact& c : world.contacts.rows) {
         if (c.body_a != body && c.body_b != body) continue;
-        c.settled = false;
-        if (!c.sensor) wake(world, c.body_a == body ? c.body_b : c.body_a);
+        c.look_again();
+        if (!c.sensor()) wake(world, c.body_a == body ? c.body_b : c.body_a);
     }
     for_joints_of(world.joints, body, [&](std::uint32_t, std::uint32_t other) { wake(world, other); });
 }

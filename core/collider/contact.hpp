@@ -28,38 +28,52 @@ struct Axis {
 // A contact with a platform that is solid from one side.
 enum class Passage : std::uint8_t { undecided, solid, passing };
 
-struct Contact {
+// Does what the two do to each other hang on more than where they are? It follows from their shapes (see mark).
+enum class Terms : std::uint8_t {
+    plain,
+    one_way,        // a shape of the two is solid from one side only
+    sensor,         // one sees the other: it never has points
+    settled_sensor, // looked at since the two rest
+};
+
+// Two lines of the cache. What follows from the shapes is not saved.
+struct alignas(64) Contact {
     std::uint32_t piece_a = 0, piece_b = 0; // key, piece_a < piece_b
-    std::uint32_t shape_a = 0, shape_b = 0, body_a = 0, body_b = 0;
+    std::uint32_t body_a = 0, body_b = 0;   // follow from the pieces
     Axis axis;
     std::uint8_t count = 0;               // points in the manifold
     bool fresh = true;                    // found in this step; not saved, since no step leaves one so
     bool touching = false;                // they overlapped, or pushed each other, in the last step
     bool struck = false;                  // and that was told as a hit
     Passage passage = Passage::undecided; // one_way: what holds until they are apart
-    // What follows from the shapes (see mark), not saved:
-    bool compound = false; // a shape of the two has other pieces that may touch too
-    bool sensor = false;   // one sees the other: it never has points
-    bool one_way = false;  // a shape of the two is solid from one side only
-    bool settled = false;  // sensor: looked at since the two rest; not saved either
-    Vec2 normal;           // world, from a to b
+    bool compound = false; // a shape of the two has other pieces that may touch too; follows from the shapes
+    Terms terms = Terms::plain;
+    Vec2 normal; // world, from a to b
     float friction = 0.0f, restitution = 0.0f;
-    float surface_speed =
-        0.0f; // m/s that friction brings b to along the tangent (n turned right), seen from a; see mark
+    float surface_speed = 0.0f; // m/s that friction brings b to along the tangent (n turned right), seen from a
     ManifoldPoint points[2];
+
+    bool sensor() const { return terms >= Terms::sensor; }
+    void look_again() { terms = sensor() ? Terms::sensor : terms; } // one of the two may have changed
 };
 
-// A contact as wide kernels read and write it: rows of eight floats, from the axis on. The last two share three floats.
+inline std::uint32_t shape_a(const Contact& c, const Shapes& shapes) { return shapes.pieces[c.piece_a].shape; }
+inline std::uint32_t shape_b(const Contact& c, const Shapes& shapes) { return shapes.pieces[c.piece_b].shape; }
+inline bool is_of_shape(const Contact& c, const Shapes& shapes, std::uint32_t shape) {
+    return shape_a(c, shapes) == shape || shape_b(c, shapes) == shape;
+}
+
+// A contact as wide kernels read and write it: rows of eight floats, from the axis on. The last two share four floats.
 struct ContactRows {
-    static constexpr std::size_t kHead = 24, kFirst = 56, kMiddle = 88, kSecond = 100, kLast = 108; // bytes
-    static constexpr std::size_t kImpulses[2] = {80, 120};
+    static constexpr std::size_t kHead = 16, kFirst = 48, kMiddle = 80, kSecond = 88, kLast = 96; // bytes
+    static constexpr std::size_t kImpulses[2] = {68, 108};                                        // in the second line
 };
-static_assert(std::endian::native == std::endian::little && sizeof(Contact) == 140 && sizeof(ManifoldPoint) == 40);
-static_assert(offsetof(Contact, axis) == 24 && offsetof(Axis, of_b) == 2 && offsetof(Axis, known) == 3);
-static_assert(offsetof(Contact, count) == 28 && offsetof(Contact, touching) == 30 && offsetof(Contact, struck) == 31);
-static_assert(offsetof(Contact, passage) == 32 && offsetof(Contact, compound) == 33);
-static_assert(offsetof(Contact, normal) == 40 && offsetof(Contact, friction) == 48);
-static_assert(offsetof(Contact, surface_speed) == 56 && offsetof(Contact, points) == 60);
+static_assert(std::endian::native == std::endian::little && sizeof(Contact) == 128 && sizeof(ManifoldPoint) == 40);
+static_assert(offsetof(Contact, axis) == 16 && offsetof(Axis, of_b) == 2 && offsetof(Axis, known) == 3);
+static_assert(offsetof(Contact, count) == 20 && offsetof(Contact, touching) == 22 && offsetof(Contact, struck) == 23);
+static_assert(offsetof(Contact, passage) == 24 && offsetof(Contact, compound) == 25);
+static_assert(offsetof(Contact, normal) == 28 && offsetof(Contact, friction) == 36);
+static_assert(offsetof(Contact, surface_speed) == 44 && offsetof(Contact, points) == 48);
 static_assert(offsetof(ManifoldPoint, separation) == 16 && offsetof(ManifoldPoint, normal_impulse) == 20);
 static_assert(offsetof(ManifoldPoint, closing_speed) == 32 && offsetof(ManifoldPoint, id) == 36);
 
@@ -93,7 +107,7 @@ struct Contacts {
 
 // What is to be asked of a contact as it is now; whether it is seamed is known to the pieces.
 inline std::uint8_t marks_of(const Contact& c) {
-    unsigned telling = c.sensor || c.compound ? kTelling : 0u;
+    unsigned telling = c.sensor() || c.compound ? kTelling : 0u;
     if (c.count == 0) return static_cast<std::uint8_t>(c.touching || c.struck ? kTelling : telling);
     float deepest = c.points[c.count > 1 && c.points[1].separation < c.points[0].separation].separation;
     return static_cast<std::uint8_t>(telling | kMeets | (deepest <= -kDeepOverlap ? kDeep : 0u) |

@@ -8,8 +8,6 @@ Contact new_contact(Pair pair, const Shapes& shapes) {
     Contact c;
     c.piece_a = pair.a;
     c.piece_b = pair.b;
-    c.shape_a = shapes.pieces[pair.a].shape;
-    c.shape_b = shapes.pieces[pair.b].shape;
     c.body_a = shapes.pieces[pair.a].body;
     c.body_b = shapes.pieces[pair.b].body;
     mark(c, shapes);
@@ -64,11 +62,11 @@ void match_pairs(Contacts& contacts, const Shapes& shapes, Joints& joints, bool 
 }
 
 void mark(Contact& c, const Shapes& shapes) {
-    c.compound = shapes.pieces[shapes.rows[c.shape_a].first_piece].next != kNone ||
-                 shapes.pieces[shapes.rows[c.shape_b].first_piece].next != kNone;
-    const Traits &s = shapes.rows[c.shape_a].traits, &t = shapes.rows[c.shape_b].traits;
-    c.sensor = s.sensor || t.sensor;
-    c.one_way = !c.sensor && (s.one_way != Vec2{} || t.one_way != Vec2{});
+    const Shape &a = shapes.rows[shape_a(c, shapes)], &b = shapes.rows[shape_b(c, shapes)];
+    c.compound = shapes.pieces[a.first_piece].next != kNone || shapes.pieces[b.first_piece].next != kNone;
+    const Traits &s = a.traits, &t = b.traits;
+    bool sensor = s.sensor || t.sensor, one_way = s.one_way != Vec2{} || t.one_way != Vec2{};
+    if (!sensor || !c.sensor()) c.terms = sensor ? Terms::sensor : one_way ? Terms::one_way : Terms::plain;
     c.surface_speed = s.surface_speed + t.surface_speed;
 }
 

@@ -27,8 +27,8 @@ bool at_rest(const Body& b) { return b.kind == BodyKind::fixed || (b.kind == Bod
 bool sees(Contact& c, const Shapes& shapes, const Bodies& bodies) {
     const Body &a = bodies.rows[c.body_a], &b = bodies.rows[c.body_b];
     bool resting = at_rest(a) && at_rest(b);
-    if (resting && c.settled) return c.touching;
-    c.settled = resting;
+    if (resting && c.terms == Terms::settled_sensor) return c.touching;
+    c.terms = resting ? Terms::settled_sensor : Terms::sensor;
     Axis none;
     const Piece &p = shapes.pieces[c.piece_a], &q = shapes.pieces[c.piece_b];
     return collide(place(shapes, p, a.pose), place(shapes, q, b.pose), 0.0f, none).count > 0;
@@ -59,10 +59,11 @@ void describe(Touch& t, const Contact& c, Vec2 centre_a) {
 }
 
 Touch touch_of(const Contact& c, const Shapes& shapes, const Bodies& bodies) {
+    std::uint32_t in_a = shape_a(c, shapes), in_b = shape_b(c, shapes);
     bool swap =
-        c.sensor ? shapes.rows[c.shape_b].traits.sensor : bodies.rows[c.body_b].serial < bodies.rows[c.body_a].serial;
+        c.sensor() ? shapes.rows[in_b].traits.sensor : bodies.rows[c.body_b].serial < bodies.rows[c.body_a].serial;
     std::uint32_t a = swap ? c.body_b : c.body_a, b = swap ? c.body_a : c.body_b;
-    std::uint32_t sa = swap ? c.shape_b : c.shape_a, sb = swap ? c.shape_a : c.shape_b;
+    std::uint32_t sa = swap ? in_b : in_a, sb = swap ? in_a : in_b;
     Touch t;
     t.a = {a, bodies.slots.generation(a)};
     t.b = {b, bodies.slots.generation(b)};
@@ -72,8 +73,8 @@ Touch touch_of(const Contact& c, const Shapes& shapes, const Bodies& bodies) {
     t.order[1] = bodies.rows[b].serial;
     t.order[2] = shapes.rows[sa].serial;
     t.order[3] = shapes.rows[sb].serial;
-    t.sensor = c.sensor;
-    if (c.sensor) return t;
+    t.sensor = c.sensor();
+    if (t.sensor) return t;
     t.normal = swap ? -c.normal : c.normal;
     describe(t, c, bodies.rows[c.body_a].centre);
     return t;
@@ -100,7 +101,7 @@ void gather_changes(Events& events, Contacts& contacts, const Shapes& shapes, co
     for_each_marked(contacts.scratch.marks, kTelling, [&](std::uint32_t row) {
         Contact& c = contacts.rows[row];
         bool was = c.touching, struck = hits(c, events.hit_speed), again = struck && c.struck;
-        c.touching = c.sensor ? sees(c, shapes, bodies) : touches_now(c);
+        c.touching = c.sensor() ? sees(c, shapes, bodies) : touches_now(c);
         c.struck = struck;
         if (c.compound ? was || c.touching : was != c.touching || (struck && !again))
             add(touch_of(c, shapes, bodies), was, c.touching, struck && !again);
@@ -151,8 +152,6 @@ void by_creation(const Bodies& bodies, std::vector<BodyRef>& list) {
 }
 
 void tell_sleep(Events& events, Bodies& bodies) {
-    events.slept.clear();
-    events.woke.clear();
     for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
         Body& b = bodies.rows[slot];
         if (b.awake == b.told_awake) continue;
@@ -166,16 +165,18 @@ void tell_sleep(Events& events, Bodies& bodies) {
 
 } // namespace
 
-void find_events(Events& events, Contacts& contacts, const Shapes& shapes, Bodies& bodies) {
+void find_events(Events& events, Contacts& contacts, const Shapes& shapes, Bodies& bodies, bool sleep_changed) {
     gather_changes(events, contacts, shapes, bodies);
     tell_changes(events);
-    tell_sleep(events, bodies);
+    events.slept.clear();
+    events.woke.clear();
+    if (sleep_changed) tell_sleep(events, bodies);
 }
 
 std::vector<Touch> active_touches(const Contacts& contacts, const Shapes& shapes, const Bodies& bodies, bool sensors) {
     std::vector<Touch> all;
     for (const Contact& c : contacts.rows)
-        if (c.touching && c.sensor == sensors) all.push_back(touch_of(c, shapes, bodies));
+        if (c.touching && c.sensor() == sensors) all.push_back(touch_of(c, shapes, bodies));
     std::ranges::stable_sort(all, earlier);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -39,7 +39,8 @@ struct Events {
 };
 
 // After the solver: what is told of this step. Only what has changed is worked out in full.
-void find_events(Events& events, Contacts& contacts, const Shapes& shapes, Bodies& bodies);
+// Bodies are asked whether they sleep if `sleep_changed`.
+void find_events(Events& events, Contacts& contacts, const Shapes& shapes, Bodies& bodies, bool sleep_changed);
 
 // All that touch now, or all that sensors see, in order.
 std::vector<Touch> active_touches(const Contacts& contacts, const Shapes& shapes, const Bodies& bodies, bool sensors);

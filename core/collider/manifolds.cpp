@@ -44,7 +44,7 @@ Kernel kernel_for(std::size_t way, InstructionSet set) {
 }
 
 void mix_materials(Contact& c, const Shapes& shapes) { // SPEC C5
-    const Material &m = shapes.rows[c.shape_a].material, &n = shapes.rows[c.shape_b].material;
+    const Material &m = shapes.rows[shape_a(c, shapes)].material, &n = shapes.rows[shape_b(c, shapes)].material;
     c.friction = std::sqrt(m.friction * n.friction);
     c.restitution = std::max(m.restitution, n.restitution);
 }
@@ -77,13 +77,13 @@ void sort_by_way(Sorted& sorted, const Chunk& chunk, const Placements& placed, c
         if (mix || c.fresh) mix_materials(c, shapes);
         bool stays = !c.fresh && (a & b & kResting);
         if (c.fresh) c.fresh = false;
-        if (stays || c.sensor) { // sensors are looked at after the step: collider/events.cpp
+        if (stays || c.sensor()) { // sensors are looked at after the step: collider/events.cpp
             chunk.note(row);
             continue;
         }
         Way way = way_of(a & kFormKind, b & kFormKind);
         sorted.rows[way][sorted.count[way]++] = static_cast<std::uint16_t>(row);
-        if (c.one_way) sorted.one_way[sorted.one_ways++] = static_cast<std::uint16_t>(row);
+        if (c.terms == Terms::one_way) sorted.one_way[sorted.one_ways++] = static_cast<std::uint16_t>(row);
     }
 }
 

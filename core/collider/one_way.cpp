@@ -37,8 +37,8 @@ void decide_passage(Contact& c, const Shapes& shapes, const Bodies& bodies, floa
     }
     if (c.passage != Passage::solid) {
         const Body &a = bodies.rows[c.body_a], &b = bodies.rows[c.body_b];
-        bool solid = solid_side(c, shapes.rows[c.shape_a].traits, a, b, c.normal, dt) &&
-                     solid_side(c, shapes.rows[c.shape_b].traits, b, a, -c.normal, dt);
+        bool solid = solid_side(c, shapes.rows[shape_a(c, shapes)].traits, a, b, c.normal, dt) &&
+                     solid_side(c, shapes.rows[shape_b(c, shapes)].traits, b, a, -c.normal, dt);
         c.passage = solid ? Passage::solid : Passage::passing;
     }
     if (c.passage == Passage::passing) c.count = 0;

@@ -127,7 +127,8 @@ void gather(Seams& seams, const Contacts& contacts, const Shapes& shapes, const 
     for_each_marked(contacts.scratch.marks, kSeamed, [&](std::uint32_t row) {
         const Contact& c = contacts.rows[row];
         bool of_a = shapes.neighboured[c.piece_a] != 0, of_b = shapes.neighboured[c.piece_b] != 0;
-        if (c.sensor || (c.one_way && c.count == 0)) return; // nothing solid: what is let through covers nothing
+        if (c.sensor() || (c.terms == Terms::one_way && c.count == 0))
+            return; // nothing solid: what is let through covers nothing
         // Those without points count too: what they cover, nobody can touch.
         if (of_b) add_side(seams, row, c.piece_a, bodies.rows[c.body_b], c.body_b, true);
         if (of_a) add_side(seams, row, c.piece_b, bodies.rows[c.body_a], c.body_a, false);

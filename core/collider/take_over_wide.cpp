@@ -32,8 +32,8 @@ EVIL_INLINE void store_contacts(Contact* const* contacts, const WideContacts& w)
 struct WidePoints {
     Floats* of[2][10];
     explicit WidePoints(WideContacts& w) {
-        for (int i = 0; i < 7; ++i) of[0][i] = &w.first[1 + i];
-        for (int i = 0; i < 3; ++i) of[0][7 + i] = &w.middle[i], of[1][i] = &w.middle[3 + i];
+        for (int i = 0; i < 8; ++i) of[0][i] = &w.first[i];
+        for (int i = 0; i < 2; ++i) of[0][8 + i] = &w.middle[i], of[1][i] = &w.middle[2 + i];
         for (int i = 2; i < 10; ++i) of[1][i] = &w.last[i - 2];
     }
 };
@@ -65,7 +65,7 @@ EVIL_INLINE void store_marks(const WideContacts& w, Mask meets, Floats deepest, 
     auto mark = [&](Mask when, std::uint8_t what) { return select(when, Ints(what), none); };
     store_bytes(marks, mark(telling, kTelling) | mark(meets, kMeets) |
                            mark(meets & (deepest <= Floats(-kDeepOverlap)), kDeep) |
-                           mark(meets & (w.head[7] > Floats(0.0f)), kBounces));
+                           mark(meets & (w.head[6] > Floats(0.0f)), kBounces));
 }
 
 } // namespace
@@ -85,8 +85,8 @@ void take_over(const EightManifolds& m, Contact* const* contacts, std::uint8_t* 
         Ints(0) < count; // the manifold of bodies that have parted stays as it was last: it says where they touched
     w.head[0] = bits_to_float(axis_bytes(load(m.axis)));
     w.head[1] = bits_to_float((w.told() & ~255) | count);
-    w.head[4] = select(meets, load(m.normal_x), w.head[4]);
-    w.head[5] = select(meets, load(m.normal_y), w.head[5]);
+    w.head[3] = select(meets, load(m.normal_x), w.head[3]);
+    w.head[4] = select(meets, load(m.normal_y), w.head[4]);
     for (int i = 0; i < 2; ++i) {
         const auto& from = m.points[i];
         Mask there = Ints(i) < count;

@@ -196,7 +196,7 @@ DebugCount draw_debug(const DebugFrame& f) {
         ++count.joints;
     }
     for (const Contact& contact : f.world.contacts.rows) {
-        if (!contact.touching || contact.sensor) continue;
+        if (!contact.touching || contact.sensor()) continue;
         draw_contact(f, contact);
         ++count.contacts;
     }

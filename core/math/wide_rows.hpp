@@ -36,17 +36,18 @@ EVIL_INLINE void interleave(const Floats field[4], __m256 r[4]) {
 }
 #endif
 
-// Rows of eight floats, 32 bytes each and aligned to that: row numbers[i] of the table becomes lane i of field[0..7].
+// Rows of eight floats, 32 bytes each and aligned to that: row numbers[i] of the table becomes lane i of field[0..7]. Where
+// rows begin may be told instead, in floats: then `each` is 1.
+template <std::size_t each = 8>
 EVIL_INLINE void load_rows(const float* table, const std::uint32_t* numbers, Floats field[8]) {
 #if EVIL_WIDTH == 8
     __m256 r[8];
-    for (int i = 0; i < 8; ++i) r[i] = _mm256_load_ps(table + 8 * static_cast<std::size_t>(numbers[i]));
+    for (int i = 0; i < 8; ++i) r[i] = _mm256_load_ps(table + each * numbers[i]);
     transpose(r, field);
 #else
     float lanes[8][kLanes];
     for (int i = 0; i < kLanes; ++i)
-        for (int k = 0; k < 8; ++k)
-            lanes[k][i] = table[8 * static_cast<std::size_t>(numbers[i]) + static_cast<std::size_t>(k)];
+        for (int k = 0; k < 8; ++k) lanes[k][i] = table[each * numbers[i] + static_cast<std::size_t>(k)];
     for (int k = 0; k < 8; ++k) field[k] = load(lanes[k]);
 #endif
 }
@@ -97,20 +98,18 @@ template <class T> EVIL_INLINE void store_rows_at(T* const* objects, std::size_t
 }
 
 // Lane i of field[0..3] into the first four floats of row numbers[i]. Rows that come twice take the later lane.
+template <std::size_t each = 8>
 EVIL_INLINE void store_half_rows(float* table, const std::uint32_t* numbers, const Floats field[4]) {
 #if EVIL_WIDTH == 8
     __m256 r[4];
     interleave(field, r);
-    for (int i = 0; i < 4; ++i)
-        _mm_store_ps(table + 8 * static_cast<std::size_t>(numbers[i]), _mm256_castps256_ps128(r[i]));
-    for (int i = 0; i < 4; ++i)
-        _mm_store_ps(table + 8 * static_cast<std::size_t>(numbers[i + 4]), _mm256_extractf128_ps(r[i], 1));
+    for (int i = 0; i < 4; ++i) _mm_store_ps(table + each * numbers[i], _mm256_castps256_ps128(r[i]));
+    for (int i = 0; i < 4; ++i) _mm_store_ps(table + each * numbers[i + 4], _mm256_extractf128_ps(r[i], 1));
 #else
     float lanes[4][kLanes];
     for (int k = 0; k < 4; ++k) store(lanes[k], field[k]);
     for (int i = 0; i < kLanes; ++i)
-        for (int k = 0; k < 4; ++k)
-            table[8 * static_cast<std::size_t>(numbers[i]) + static_cast<std::size_t>(k)] = lanes[k][i];
+        for (int k = 0; k < 4; ++k) table[each * numbers[i] + static_cast<std::size_t>(k)] = lanes[k][i];
 #endif
 }
 

@@ -14,6 +14,7 @@ struct alignas(32) SolverBody {
     float inv_inertia = 0;
 };
 static_assert(sizeof(SolverBody) == 32);
+inline constexpr std::uint32_t kBodyFloats = 8;
 
 // What a substep does to a row but for contacts: velocity * keep + gain; and what that made of it. Lanes as the first four
 // of SolverBody.
@@ -29,7 +30,8 @@ struct ForceStep {
 // it does not turn in nature, and angular momentum is kept. The point goes along with the body whose corner or round side
 // it is; `lag` is the share of the sliding that moves it along the other one's arm. Between discs the normal turns instead.
 struct alignas(32) ContactBlock {
-    std::uint32_t a[8], b[8]; // rows of bodies; 0 in lanes without a contact. What does not move is always a
+    std::uint32_t a[8], b[8]; // where the rows of bodies begin, in floats; 0 in lanes without a contact. What does not
+                              // move is always a
     float nx[8], ny[8];       // normal from a to b
     float friction[8];
     float surface_speed[8]; // m/s along the tangent that friction works toward

@@ -1,5 +1,7 @@
 #include "solver/contact_constraints.hpp"
 #include "solver/contacts_wide.hpp"
+#include <cstring>
+#include <span>
 
 namespace evil {
 namespace {
@@ -28,13 +30,13 @@ Bounce bounce_of(const Contact& c, const Bodies& bodies, std::size_t edge, float
     return {static_cast<std::uint32_t>(edge), c.restitution, std::max(0.0f, -dt * dot(gained, c.normal))};
 }
 
-// Which contacts are solved, and by whom. The same list as in the last step needs no new colours: it is compared as it is
-// written.
+// Which contacts are solved, and by whom. The same list as before needs no new colours: it is compared as it is written.
 bool find_edges(Solver& solver, const Bodies& bodies, Contacts& contacts, float dt) {
     auto& s = contacts.scratch;
     std::size_t before = solver.edges.size(), count = 0;
     solver.edges.resize(std::max(before, s.marks.size()));
     solver.bounces.clear();
+    solver.unsolved.clear();
     Edge* edges = solver.edges.data();
     const std::uint32_t* number_of = solver.number_of.data();
     const std::uint8_t* pushed = solver.pushed.data();
@@ -45,7 +47,7 @@ bool find_edges(Solver& solver, const Bodies& bodies, Contacts& contacts, float 
         std::uint32_t a = number_of[s.bodies[row].a], b = number_of[s.bodies[row].b];
         bool a_moves = pushed[a] != 0, b_moves = pushed[b] != 0;
         if (!a_moves && !b_moves) {
-            s.marks[row] = mark | kTelling; // the solver will not say whether anything has changed
+            solver.unsolved.push_back(row);
             continue;
         }
         if (mark & kBounces) solver.bounces.push_back(bounce_of(contacts.rows[row], bodies, count, dt));
@@ -56,6 +58,43 @@ bool find_edges(Solver& solver, const Bodies& bodies, Contacts& contacts, float 
     }
     solver.edges.resize(count);
     return !same || count != before;
+}
+
+bool meet_as_before(std::span<const std::uint8_t> marks, std::span<const std::uint8_t> before) {
+    constexpr std::uint8_t kAsked = kMeets | kBounces; // bounces go with the velocities
+    std::uint8_t other = 0;
+    for (std::size_t row = 0; row < marks.size(); ++row)
+        other |= static_cast<std::uint8_t>(((marks[row] ^ before[row]) & kMeets) | (marks[row] & kBounces));
+    return (other & kAsked) == 0;
+}
+
+template <class T> bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+// Are the edges those of the last step? Then nobody has to go through them.
+bool edges_stay(const Solver& solver, const Contacts& contacts) {
+    const EdgesFrom& from = solver.edges_from;
+    const auto& s = contacts.scratch;
+    return s.marks.size() == from.marks.size() && meet_as_before(s.marks, from.marks) &&
+           same_bytes(s.bodies, from.bodies) && same_bytes(solver.number_of, from.number_of) &&
+           same_bytes(solver.pushed, from.pushed);
+}
+
+// Are there others than in the last step?
+bool renew_edges(Solver& solver, const Bodies& bodies, Contacts& contacts, float dt) {
+    bool changed = false;
+    if (!edges_stay(solver, contacts)) {
+        changed = find_edges(solver, bodies, contacts, dt);
+        EdgesFrom& from = solver.edges_from;
+        from.marks = contacts.scratch.marks;
+        from.bodies = contacts.scratch.bodies;
+        from.number_of = solver.number_of;
+        from.pushed = solver.pushed;
+    }
+    for (std::uint32_t row : solver.unsolved) // the solver will not say whether anything has changed
+        contacts.scratch.marks[row] |= kTelling;
+    return changed;
 }
 
 void place_edges(Solver& solver) {
@@ -73,8 +112,8 @@ void place_edges(Solver& solver) {
     for (std::size_t i = 0; i < solver.edges.size(); ++i) {
         const Edge& e = solver.edges[i];
         auto [block, lane] = colouring.places[i];
-        solver.blocks[block].a[lane] = e.wall() ? e.b : e.a; // what does not move
-        solver.blocks[block].b[lane] = e.wall() ? e.a : e.b;
+        solver.blocks[block].a[lane] = kBodyFloats * (e.wall() ? e.b : e.a); // what does not move
+        solver.blocks[block].b[lane] = kBodyFloats * (e.wall() ? e.a : e.b);
         solver.sources[block].contact[lane] = e.contact;
         solver.sources[block].turn[lane] = e.turn() ? ~0u : 0u;
     }
@@ -88,7 +127,7 @@ ContactSoftnesses softness_of(StepSize step) {
 }
 
 void prepare_contacts(Solver& solver, const Bodies& bodies, Contacts& contacts, StepSize step, Threads& threads) {
-    if (find_edges(solver, bodies, contacts, step.dt)) place_edges(solver);
+    if (renew_edges(solver, bodies, contacts, step.dt)) place_edges(solver);
     parallel_for(threads, solver.blocks.size(), 32, [&](std::size_t first, std::size_t last) {
         EVIL_PICK(step.set, fill_blocks)
         (solver.bodies.data(), contacts.rows.data(), &solver.blocks[first], &solver.sources[first], last - first);

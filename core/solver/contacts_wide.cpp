@@ -20,15 +20,15 @@ struct Ends { // the two bodies of eight contacts
     Row a, b;
 };
 
-EVIL_INLINE Row load_bodies(const SolverBody* bodies, const std::uint32_t* rows) {
+EVIL_INLINE Row load_bodies(const SolverBody* bodies, const std::uint32_t* starts) {
     Floats field[8];
-    load_rows(&bodies->vx, rows, field);
+    load_rows<1>(&bodies->vx, starts, field);
     return {field[0], field[1], field[2], field[3], field[4], field[5], field[6], field[7]};
 }
 
-EVIL_INLINE void store_bodies(SolverBody* bodies, const std::uint32_t* rows, const Row& row) {
+EVIL_INLINE void store_bodies(SolverBody* bodies, const std::uint32_t* starts, const Row& row) {
     Floats field[4] = {row.vx, row.vy, row.spin, row.inv_mass};
-    store_half_rows(&bodies->vx, rows, field);
+    store_half_rows<1>(&bodies->vx, starts, field);
 }
 
 template <bool wall> EVIL_INLINE void store_ends(SolverBody* bodies, const ContactBlock& k, const Ends& e) {

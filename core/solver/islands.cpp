@@ -1,11 +1,13 @@
 #include "solver/islands.hpp"
 #include "solver/solver.hpp"
+#include <atomic>
 
 namespace evil {
 namespace {
 
-constexpr float kSleepSpeed = 0.05f; // m/s of a body's fastest point; more, and slow things freeze in the air
-constexpr float kTimeToSleep = 0.5f; // seconds of stillness of a whole island
+constexpr float kSleepSpeed = 0.05f;       // m/s of a body's fastest point; more, and slow things freeze in the air
+constexpr float kTimeToSleep = 0.5f;       // seconds of stillness of a whole island
+constexpr std::size_t kBodiesAtOnce = 512; // a chunk for threads
 
 // Union-find with path halving; the lower slot is the root, so the result does not depend on the order of contacts.
 std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t slot) {
@@ -30,12 +32,39 @@ bool anyone_sleeps(const Bodies& bodies) {
     return false;
 }
 
-float fastest_point(const Body& b, const Shapes& shapes) {
+float reach_of(const Body& b, const Shapes& shapes) {
     float reach = 0.0f;
     for (std::uint32_t s = b.first_shape; s != kNone; s = shapes.rows[s].next)
         for (std::uint32_t p = shapes.rows[s].first_piece; p != kNone; p = shapes.pieces[p].next)
             reach = std::max(reach, length(shapes.pieces[p].centre - b.local_centre) + shapes.pieces[p].reach);
-    return length(b.velocity) + std::abs(b.spin) * reach;
+    return reach;
+}
+
+float fastest_point(Body& b, const Shapes& shapes) {
+    if (b.reach == kUnknown) b.reach = reach_of(b, shapes);
+    return length(b.velocity) + std::abs(b.spin) * b.reach;
+}
+
+struct Stillness {
+    bool untold;      // does anyone sleep of whom the contrary was told last, or the other way round?
+    bool long_enough; // has anyone been still for long enough to fall asleep?
+};
+
+Stillness count_still_time(Bodies& bodies, const Shapes& shapes, float dt, Threads& threads) {
+    std::atomic<bool> any_untold = false, any_tired = false;
+    parallel_for(threads, bodies.slots.size(), kBodiesAtOnce, [&](std::size_t first, std::size_t last) {
+        bool untold = false, tired = false;
+        for (auto slot = static_cast<std::uint32_t>(first); slot < last; ++slot) {
+            Body& b = bodies.rows[slot];
+            untold |= b.awake != b.told_awake;
+            if (!bodies.slots.taken(slot) || !dynamic(bodies, slot) || !b.awake) continue;
+            b.still_time = fastest_point(b, shapes) < kSleepSpeed ? std::min(b.still_time + dt, 1e3f) : 0.0f;
+            tired |= b.still_time >= kTimeToSleep;
+        }
+        if (untold) any_untold.store(true, std::memory_order_relaxed);
+        if (tired) any_tired.store(true, std::memory_order_relaxed);
+    });
+    return {any_untold.load(), any_tired.load()};
 }
 
 } // namespace
@@ -91,16 +120,10 @@ void wake_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, cons
     }
 }
 
-void sleep_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, const Joints& joints, const Forces& forces,
-                   const Shapes& shapes, float dt, bool allowed) {
-    float longest = 0.0f;
-    for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
-        Body& b = bodies.rows[slot];
-        if (!bodies.slots.taken(slot) || !dynamic(bodies, slot) || !b.awake) continue;
-        b.still_time = fastest_point(b, shapes) < kSleepSpeed ? std::min(b.still_time + dt, 1e3f) : 0.0f;
-        longest = std::max(longest, b.still_time);
-    }
-    if (!allowed || longest < kTimeToSleep) return;
+bool sleep_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, const Joints& joints, const Forces& forces,
+                   const Shapes& shapes, float dt, bool allowed, Threads& threads) {
+    Stillness stillness = count_still_time(bodies, shapes, dt, threads);
+    if (!allowed || !stillness.long_enough) return stillness.untold;
     if (!solver.islands_known) find_islands(solver.island_of, bodies, contacts, joints, forces);
     solver.island_still.assign(bodies.slots.size(), 1e30f);
     for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
@@ -117,6 +140,7 @@ void sleep_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, con
         b.velocity = {};
         b.spin = 0.0f;
     }
+    return true;
 }
 
 } // namespace evil

@@ -63,7 +63,7 @@ Impact impact_at(Solver& solver, Place place) {
     ContactBlock& k = solver.blocks[place.block];
     std::size_t i = place.lane;
     Vec2 n{k.nx[i], k.ny[i]};
-    Impact impact{solver.bodies[k.a[i]], solver.bodies[k.b[i]], k, i, n};
+    Impact impact{solver.bodies[k.a[i] / kBodyFloats], solver.bodies[k.b[i] / kBodyFloats], k, i, n};
     Vec2 moved{impact.b.moved_x - impact.a.moved_x, impact.b.moved_y - impact.a.moved_y};
     float curve = std::max(-k.lag[i], 0.0f); // all as in contacts_wide.cpp
     float most_b = 0.5f * std::abs(k.arm_n[0][i]), most_a = 0.5f * std::abs(k.arm_n[0][i] - k.apart_n[i]);

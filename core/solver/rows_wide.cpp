@@ -82,11 +82,14 @@ constexpr std::size_t kAhead = 4;
 EVIL_INLINE void foretell(const Contact* contacts, const BlockSource& from) {
     for (std::uint32_t contact : from.contact) {
         if (contact == kNone) continue;
-        const char* row = reinterpret_cast<const char*>(contacts + contact);
-        __builtin_prefetch(row + ContactRows::kHead);
-        __builtin_prefetch(row + ContactRows::kHead + 64);
-        __builtin_prefetch(row + sizeof(Contact) - 1);
+        __builtin_prefetch(contacts + contact);
+        __builtin_prefetch(reinterpret_cast<const char*>(contacts + contact) + 64);
     }
+}
+
+EVIL_INLINE void foretell_impulses(Contact* contacts, const BlockSource& from) {
+    for (std::uint32_t contact : from.contact)
+        if (contact != kNone) __builtin_prefetch(contacts[contact].points + 1, 1);
 }
 
 // A disc on a wall that does not turn is a disc on one without end. A corner just below its body's centre is taken for one
@@ -101,23 +104,23 @@ EVIL_INLINE void note_rolling(ContactBlock& k, Mask maybe) {
 EVIL_INLINE void fill_block(const SolverBody* bodies, const Contact* contacts, ContactBlock& k, BlockSource& from) {
     const Contact* each[8];
     for (int i = 0; i < 8; ++i) each[i] = from.contact[i] == kNone ? &kNoContact : contacts + from.contact[i];
-    Floats head[8], p[8], q[8]; // axis, count ..., normal, friction; surface speed and the first point; the second
+    Floats head[8], p[8], q[8]; // axis, count ..., normal, friction, surface speed; the first point; the second
     Sides s;
     load_rows_at(each, ContactRows::kHead, head);
     load_rows_at(each, ContactRows::kFirst, p);
     load_rows_at(each, ContactRows::kSecond, q);
-    load_rows(&bodies->vx, k.a, s.a);
-    load_rows(&bodies->vx, k.b, s.b);
+    load_rows<1>(&bodies->vx, k.a, s.a);
+    load_rows<1>(&bodies->vx, k.b, s.b);
     Ints known = float_to_bits(head[1]), count = known & 255;
     Mask turned = load(from.turn) < Ints(0), wall = s.a[3] == Floats(0.0f);
-    Frame frame{select(turned, -head[4], head[4]), select(turned, -head[5], head[5])};
+    Frame frame{select(turned, -head[3], head[3]), select(turned, -head[4], head[4])};
     store(from.known, known);
     store(k.nx, frame.nx);
     store(k.ny, frame.ny);
-    store(k.friction, head[6]);
-    store(k.surface_speed, p[0]);
+    store(k.friction, head[5]);
+    store(k.surface_speed, head[7]);
     store(k.lag, lag_of(float_to_bits(head[0]), wall));
-    fill_point(k, from, 0, {p[1], p[2], p[3], p[4], p[5], p[6], p[7]}, frame, s, turned, Ints(0) < count);
+    fill_point(k, from, 0, {p[0], p[1], p[2], p[3], p[4], p[5], p[6]}, frame, s, turned, Ints(0) < count);
     fill_point(k, from, 1, {q[0], q[1], q[2], q[3], q[4], q[5], q[6]}, frame, s, turned, Ints(1) < count);
     note_rolling(k, (count < Ints(2)) & wall & (s.a[2] == Floats(0.0f)));
 }
@@ -191,7 +194,10 @@ void fill_blocks(const SolverBody* bodies, const Contact* contacts, ContactBlock
 
 void store_impulses(const ContactBlock* blocks, const BlockSource* sources, Contact* contacts, std::uint8_t* marks,
                     std::size_t count, float hit_speed) noexcept {
-    for (std::size_t i = 0; i < count; ++i) store_block(blocks[i], sources[i], contacts, marks, hit_speed);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i + kAhead < count) foretell_impulses(contacts, sources[i + kAhead]);
+        store_block(blocks[i], sources[i], contacts, marks, hit_speed);
+    }
 }
 
 } // namespace evil::EVIL_ISA

@@ -21,6 +21,12 @@ struct Bounce { // a contact with restitution
     float gained_speed; // closing speed that the last step's acceleration alone has given (SPEC C7)
 };
 
+struct EdgesFrom { // what the edges followed from: while it is the same, so are they
+    std::vector<std::uint8_t> marks, pushed;
+    std::vector<Pair> bodies;
+    std::vector<std::uint32_t> number_of;
+};
+
 struct Solver { // Scratch
     std::vector<SolverBody> bodies;
     std::vector<ForceStep> force_steps;    // of each solver body
@@ -30,6 +36,8 @@ struct Solver { // Scratch
     std::vector<std::uint8_t> pushed;      // of each solver body: have contacts any effect on it?
     std::vector<Edge> edges;               // of each contact that is solved
     std::vector<Bounce> bounces;           // of those with restitution
+    EdgesFrom edges_from;                  // what the edges followed from
+    std::vector<std::uint32_t> unsolved;   // rows of contacts with points between bodies that nothing moves
     Colouring colouring;                   // of the edges
     std::vector<ContactBlock> blocks;
     std::vector<BlockSource> sources; // of the blocks
@@ -55,7 +63,8 @@ void solve(Solver& solver, Bodies& bodies, Contacts& contacts, Joints& joints, c
 
 // Islands: bodies joined by contacts, joints or springs. They wake together and sleep together.
 void wake_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, const Joints& joints, const Forces& forces);
-void sleep_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, const Joints& joints, const Forces& forces,
-                   const Shapes& shapes, float dt, bool allowed);
+// True: someone's sleep may be other than what was told of it last.
+bool sleep_islands(Solver& solver, Bodies& bodies, const Contacts& contacts, const Joints& joints, const Forces& forces,
+                   const Shapes& shapes, float dt, bool allowed, Threads& threads);
 
 } // namespace evil
