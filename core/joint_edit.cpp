@@ -20,6 +20,7 @@ JointRef add_joint(World& world, Joint joint) {
     joint.made = fingerprint(joint);
     joints.rows[slot] = joint;
     link(joints, slot);
+    joints.unchecked = true;
     wake_ends(world, joint);
     return {slot, joints.slots.generation(slot)};
 }
@@ -41,12 +42,12 @@ void drop_joints_of(World& world, std::uint32_t body) {
 void break_joints(World& world) {
     Joints& joints = world.joints;
     joints.broken.clear();
+    if (!joints.unchecked) return;
+    joints.unchecked = false;
     for (std::uint32_t slot = 0; slot < joints.slots.size(); ++slot) {
         if (!joints.slots.taken(slot)) continue;
         const Joint& j = joints.rows[slot];
-        bool holds =
-            length_squared(j.force) <= j.breaking_force * j.breaking_force && std::abs(j.torque) <= j.breaking_torque;
-        if (holds) continue;
+        if (holds(j)) continue;
         auto ref = [&](std::uint32_t b) { return BodyRef{b, world.bodies.slots.generation(b)}; };
         joints.broken.push_back(
             {{slot, joints.slots.generation(slot)}, ref(j.body_a), ref(j.body_b), j.serial, j.force, j.torque});

@@ -4,7 +4,7 @@ namespace evil {
 
 void World::step(float dt, int substeps) {
     Threads::Shift shift(threads);
-    previous = present;
+    std::swap(previous, present); // publish_all fills the latter anew
     move_characters(*this, dt);
     place_pieces(placed, shapes, bodies, dt, instruction_set, threads);
     // approximate: whose bounds meet

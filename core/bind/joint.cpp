@@ -15,6 +15,7 @@ void changed(JointSpec&) {}
 void changed(const JointHandle& h) { // whoever hangs on it shall feel it
     wake(*h.world, row(h).body_a);
     wake(*h.world, row(h).body_b);
+    h.world->joints.unchecked = true;
 }
 
 template <auto Field, class C> void bind_field(nb::class_<C>& c, const char* name) {

@@ -71,6 +71,7 @@ void sort_by_way(Sorted& sorted, const Chunk& chunk, const Placements& placed, c
     for (std::size_t row = 0; row < rows.size(); ++row) {
         Contact& c = rows[row];
         __builtin_prefetch(&c + 8);
+        __builtin_prefetch(reinterpret_cast<const char*>(&c + 8) + 64);
         unsigned a = kinds[c.piece_a], b = kinds[c.piece_b];
         marks[row] = (a | b) & kNeighboured ? kSeamed : 0;
         pairs[row] = {c.body_a, c.body_b};

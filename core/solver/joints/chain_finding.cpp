@@ -7,15 +7,12 @@ namespace {
 constexpr std::size_t kLeastChain = 3; // links; two are as quick one after the other
 constexpr std::uint32_t kCrowd = kNone - 1;
 
-// Whether the joint holds a point stiffly, whatever it does about turning. Soft welds and a motor's pull are not links.
-bool is_link(const Joint& j) { return j.along.held && !(j.along.spring_most < kNoLimit); }
-
 // By row of a body, the two joints at points that it links; kCrowd first where there are more, kNone second where fewer.
-void find_ends(JointSolver& solver, std::span<const SolverBody> rows, const Joints& joints) {
+void find_ends(JointSolver& solver, std::span<const SolverBody> rows) {
     solver.ends.assign(2 * rows.size(), kNone);
     for (std::uint32_t n = 0; n < solver.at_points.size(); ++n) {
         const SolvedJoint& s = solver.at_points[n];
-        if (!is_link(joints.rows[s.joint])) continue;
+        if (!s.link) continue;
         for (std::uint32_t body : {s.a, s.b}) {
             std::uint32_t* end = &solver.ends[2 * std::size_t{body}];
             if (!(rows[body].inv_mass > 0.0f) || end[0] == kCrowd) continue;
@@ -75,10 +72,10 @@ void follow(JointSolver& solver, std::uint32_t first, const Bodies& bodies, cons
 void find_chains(JointSolver& solver, std::span<const SolverBody> rows, const Bodies& bodies, const Joints& joints) {
     solver.links.clear();
     if (solver.at_points.size() < kLeastChain) return;
-    find_ends(solver, rows, joints);
+    find_ends(solver, rows);
     for (std::uint32_t n = 0; n < solver.at_points.size(); ++n) {
         const SolvedJoint& s = solver.at_points[n];
-        if (s.seen || !is_link(joints.rows[s.joint])) continue;
+        if (s.seen || !s.link) continue;
         bool open_a = beyond(solver, n, s.a) == kNone, open_b = beyond(solver, n, s.b) == kNone;
         if (open_a != open_b) follow(solver, n, bodies, joints);
     }

@@ -5,6 +5,7 @@
 // coordinate (metres along an axis, or radians of turning) may be driven: by a spring, a motor, and limits at both ends.
 #include "bodies.hpp"
 #include "refs.hpp"
+#include <cmath>
 
 namespace evil {
 
@@ -48,6 +49,10 @@ struct Joint {
     std::uint64_t serial = 0, born = 0, made = 0;
 };
 
+inline bool holds(const Joint& j) {
+    return length_squared(j.force) <= j.breaking_force * j.breaking_force && std::abs(j.torque) <= j.breaking_torque;
+}
+
 struct JointLinks { // a joint in the rings of its two bodies' joints; follows from the rows
     std::uint32_t next[2] = {kNone, kNone}, before[2] = {kNone, kNone}; // [0] in a's list, [1] in b's; a joint's slot
 };
@@ -71,6 +76,7 @@ struct Joints {
     std::uint64_t matched = ~std::uint64_t{0}; // Scratch: serial up to which contacts know who is kept apart
     std::vector<JointLinks> links;             // by slot: each body's joints as a list
     std::vector<BodyJoints> of_body;           // by body slot
+    bool unchecked = true;                     // Scratch: may one have been pulled harder than it holds?
     std::vector<BrokenJoint> broken;           // results of the last step, in order of creation
 };
 

@@ -164,20 +164,36 @@ void fill_axis(JointSolver& js, AxisBlock& k, const Lane& l) {
                    l.row_a.inv_inertia + l.row_b.inv_inertia, js.pass);
 }
 
+void find_colours(JointColours& colours, std::span<const SolverBody> bodies, std::span<const SolvedJoint> list) {
+    bool same = colours.edges.size() == list.size();
+    colours.edges.resize(list.size());
+    for (std::size_t n = 0; n < list.size(); ++n) {
+        const SolvedJoint& s = list[n];
+        bool a_moves = bodies[s.a].inv_mass > 0.0f, b_moves = bodies[s.b].inv_mass > 0.0f;
+        Edge edge{a_moves ? s.a : s.b, s.b, a_moves && b_moves ? 0u : Edge::kWall};
+        same = same && edge == colours.edges[n];
+        colours.edges[n] = edge;
+    }
+    if (!same) colour(colours.colouring, colours.edges, static_cast<std::uint32_t>(bodies.size()), kBlockLanes);
+}
+
+// Joints lie apart from each other, and so do their bodies: the memory is told of them a few ahead.
+constexpr std::size_t kAhead = 6;
+
+template <class T> void foretell(const T& row) {
+    for (std::size_t at = 0; at < sizeof(T); at += 64) __builtin_prefetch(reinterpret_cast<const char*>(&row) + at);
+}
+
 template <class Block, class Fill>
 void fill_blocks(Solver& solver, const Bodies& bodies, const Joints& joints, std::vector<SolvedJoint>& list,
-                 std::vector<Block>& blocks, Fill&& fill) {
+                 JointColours& colours, std::vector<Block>& blocks, Fill&& fill) {
     JointSolver& js = solver.joints;
-    js.edges.clear();
-    for (const SolvedJoint& s : list) {
-        bool a_moves = solver.bodies[s.a].inv_mass > 0.0f, b_moves = solver.bodies[s.b].inv_mass > 0.0f;
-        js.edges.push_back({a_moves ? s.a : s.b, s.b, a_moves && b_moves ? 0 : Edge::kWall});
-    }
-    colour(js.colouring, js.edges, static_cast<std::uint32_t>(solver.bodies.size()), kBlockLanes);
-    blocks.assign(js.colouring.blocks, Block{});
+    find_colours(colours, solver.bodies, list);
+    blocks.assign(list.empty() ? 0 : colours.colouring.blocks, Block{});
     for (std::size_t n = 0; n < list.size(); ++n) {
+        if (n + kAhead < list.size()) foretell(joints.rows[list[n + kAhead].joint]);
         SolvedJoint& s = list[n];
-        s.place = js.colouring.places[n];
+        s.place = colours.colouring.places[n];
         Block& block = blocks[s.place.block];
         const Joint& j = joints.rows[s.joint];
         block.a[s.place.lane] = s.a;
@@ -187,6 +203,9 @@ void fill_blocks(Solver& solver, const Bodies& bodies, const Joints& joints, std
                   s.in_chain});
     }
 }
+
+// Soft welds and a motor's pull are no links.
+bool is_link(const Joint& j) { return j.along.held && !(j.along.spring_most < kNoLimit); }
 
 // Which joints are solved, and where.
 void sort_joints(Solver& solver, const Bodies& bodies, const Joints& joints) {
@@ -204,7 +223,7 @@ void sort_joints(Solver& solver, const Bodies& bodies, const Joints& joints) {
         else if (is_axial(j.kind) || j.kind == JointKind::distance || j.kind == JointKind::rope)
             js.at_axes.push_back({slot, a, b, {}});
         else
-            js.at_points.push_back({slot, a, b, {}});
+            js.at_points.push_back({slot, a, b, {}, is_link(j)});
     }
 }
 
@@ -240,8 +259,8 @@ void prepare_joints(Solver& solver, const Bodies& bodies, const Joints& joints, 
     js.fresh = true;
     js.drives.clear();
     js.softs.clear();
-    fill_blocks(solver, bodies, joints, js.at_points, js.points, fill_point);
-    fill_blocks(solver, bodies, joints, js.at_axes, js.axes, fill_axis);
+    fill_blocks(solver, bodies, joints, js.at_points, js.point_colours, js.points, fill_point);
+    fill_blocks(solver, bodies, joints, js.at_axes, js.axis_colours, js.axes, fill_axis);
 }
 
 void warm_start_joints(Solver& solver, InstructionSet set) {
@@ -271,6 +290,7 @@ void relax_joints(Solver& solver, InstructionSet set) {
 void store_joints(const Solver& solver, Joints& joints, StepSize step) {
     const JointSolver& js = solver.joints;
     float by_time = 1.0f / step.dt;
+    auto note = [&](const Joint& j) { joints.unchecked |= !holds(j); };
     for (const SolvedJoint& s : js.at_points) {
         Joint& j = joints.rows[s.joint];
         const PointBlock& k = js.points[s.place.block];
@@ -278,12 +298,14 @@ void store_joints(const Solver& solver, Joints& joints, StepSize step) {
         j.impulse = {finite_impulse(k.impulse_x[i]), finite_impulse(k.impulse_y[i])};
         j.force = clamped(by_time * Vec2{k.total_x[i], k.total_y[i]}, kMaxForce);
         j.torque = k.turn == kNoDrive ? 0.0f : clamped(by_time * store_drive(j.turn, js.drives[k.turn], i), kMaxForce);
+        if (!s.in_chain) note(j); // else its force is still to come
     }
     for (const ChainLink& k : js.links) {
         Joint& j = joints.rows[k.joint];
         j.impulse = {finite_impulse(k.impulse.x), finite_impulse(k.impulse.y)};
         j.force = clamped(by_time * k.total, kMaxForce);
         if (!driven(j.turn)) j.torque = 0.0f;
+        note(j);
     }
     for (const SolvedJoint& s : js.at_axes) {
         Joint& j = joints.rows[s.joint];
@@ -295,6 +317,7 @@ void store_joints(const Solver& solver, Joints& joints, StepSize step) {
         Vec2 n{k.nx[i], k.ny[i]};
         j.force = clamped(by_time * (along * n + across * left_of(n)), kMaxForce);
         j.torque = clamped(by_time * (turning + k.total_turn[i]), kMaxForce);
+        note(j);
     }
     for (const LoneJoint& k : js.alone) {
         Joint& j = joints.rows[k.joint];
@@ -302,6 +325,7 @@ void store_joints(const Solver& solver, Joints& joints, StepSize step) {
         float size = by_time * k.total;
         j.force = clamped(size * Vec2{k.bx, k.by}, kMaxForce);
         j.torque = k.pulley ? 0.0f : clamped(size * k.turn_b, kMaxForce);
+        note(j);
     }
 }
 

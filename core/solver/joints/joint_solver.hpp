@@ -14,13 +14,18 @@ struct StepSize;
 struct SolvedJoint {           // where a joint went
     std::uint32_t joint, a, b; // rows of the solver's bodies
     Place place;
+    bool link = false;                   // holds a point stiffly, whatever it does about turning
     bool seen = false, in_chain = false; // by find_chains; what is in a chain has a block for its turning alone
+};
+
+struct JointColours { // while the edges stay as they are, so do the colours
+    std::vector<Edge> edges;
+    Colouring colouring;
 };
 
 struct JointSolver { // Scratch
     std::vector<SolvedJoint> at_points, at_axes;
-    std::vector<Edge> edges;
-    Colouring colouring;
+    JointColours point_colours, axis_colours;
     std::vector<PointBlock> points;
     std::vector<AxisBlock> axes;
     std::vector<DriveBlock> drives;
