@@ -314,6 +314,20 @@ def test_a_world_that_may_not_sleep_wakes_up():
     assert box.awake
 
 
+@pytest.mark.parametrize("grow", [False, True])
+def test_a_disc_that_turns_slowly_falls_asleep_unless_it_has_grown_a_long_arm(grow):
+    world = evil.World(gravity=(0, 0))
+    disc = world.add(evil.Circle(1), angular_velocity=0.03)
+    for _ in range(20):
+        world.step()
+    assert disc.awake
+    if grow:
+        disc.add_shape(evil.Circle(0.1), offset=(9, 0))
+    for _ in range(60):
+        world.step()
+    assert disc.awake is grow
+
+
 def test_a_push_on_what_cannot_move_is_not_kept_for_later():
     world, _ = resting_box()
     ground = world.find("ground")

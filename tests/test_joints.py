@@ -214,6 +214,24 @@ def test_a_joint_breaks_at_its_force_and_tells():
         rod.force  # noqa: B018
 
 
+@pytest.mark.parametrize("asleep", [False, True])
+def test_a_joint_that_is_told_to_hold_less_than_it_bears_breaks_in_the_next_step(asleep):
+    world = evil.World(gravity=(0, -10), sleep=asleep)
+    hook = world.add(evil.Circle(0.1), kind="static")
+    ball = world.add(evil.Circle(0.2), at=(0, -1), mass=1)
+    rods = [
+        world.add_joint(evil.joints.Distance(hook, ball)),
+        world.add_joint(evil.joints.Hinge(hook, ball, at=hook.position)),
+    ]
+    for _ in range(120):
+        world.step()
+    assert ball.awake is not asleep
+    pull = max(rods, key=lambda rod: rod.force.length)
+    pull.breaking_force = 0.5 * pull.force.length
+    world.step()
+    assert [broken.joint for broken in world.joints.broken] == [pull]
+
+
 def test_joints_go_with_their_bodies_and_sleep_and_wake_with_them():
     world = evil.World()
     ground = world.add(evil.Rectangle(40, 1), at=(0, -0.5), kind="static")
