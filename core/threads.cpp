@@ -47,10 +47,36 @@ int this_process() { return static_cast<int>(getpid()); }
 
 } // namespace
 
-// The board: number of the job and how many of its chunks nobody has taken, in one word, so that a thread that comes late
-// cannot take a chunk of a job that it has not read. A job is only replaced when all its chunks are done.
+// Each thread has a share of the chunks of its own, and the same one of the next job over as many: so what it worked on lies
+// in its own cache still. Who is through takes from the far ends of the others'.
+//
+// A share is the first chunk that nobody has taken and the end, in one word: whoever changes it has taken a chunk of the
+// job as it is now, even if what he compared it with was read in an earlier one. A job is only replaced when all its chunks
+// are done, and its shares are dealt out after all else is known of it.
+class Share {
+public:
+    void deal(std::size_t first, std::size_t end) {
+        word_.store(std::uint64_t{first} << 32 | end, std::memory_order_release);
+    }
+    bool take(bool own, std::size_t& chunk) {
+        std::uint64_t word = word_.load(std::memory_order_acquire);
+        while (true) {
+            std::uint64_t first = word >> 32, end = word & 0xffffffffu;
+            if (first >= end) return false;
+            chunk = own ? first : end - 1;
+            std::uint64_t left = own ? word + (std::uint64_t{1} << 32) : word - 1;
+            if (word_.compare_exchange_weak(word, left, std::memory_order_acq_rel, std::memory_order_acquire))
+                return true;
+        }
+    }
+
+private:
+    alignas(64) std::atomic<std::uint64_t> word_{0};
+};
+
 struct Threads::Crew {
-    alignas(64) std::atomic<std::uint64_t> board{0};
+    std::vector<Share> shares; // the caller's, then those of the members
+    alignas(64) std::atomic<std::uint64_t> job{0};
     alignas(64) std::atomic<std::size_t> done{0};
     std::size_t count = 0, grain = 1, chunks = 0;
     Chunk chunk = nullptr;
@@ -62,8 +88,8 @@ struct Threads::Crew {
     std::vector<std::thread> members;
     int process = this_process();
 
-    explicit Crew(int size) {
-        for (int i = 0; i < size; ++i) members.emplace_back([this] { serve(); });
+    explicit Crew(std::size_t size) : shares(size + 1) {
+        for (std::size_t i = 1; i <= size; ++i) members.emplace_back([this, i] { serve(i); });
     }
     ~Crew() {
         {
@@ -74,24 +100,26 @@ struct Threads::Crew {
         for (std::thread& member : members) member.join();
     }
 
-    static std::uint32_t left(std::uint64_t word) { return static_cast<std::uint32_t>(word); }
-
-    bool take_chunk() {
-        std::uint64_t word = board.load(std::memory_order_acquire);
-        do {
-            if (left(word) == 0) return false;
-        } while (!board.compare_exchange_weak(word, word - 1, std::memory_order_acq_rel, std::memory_order_acquire));
-        std::size_t first = (chunks - left(word)) * grain;
-        chunk(work, first, std::min(count, first + grain));
-        done.fetch_add(1, std::memory_order_acq_rel);
-        return true;
+    void work_on_share(std::size_t share, bool own) {
+        for (std::size_t number; shares[share].take(own, number);) {
+            std::size_t first = number * grain;
+            chunk(work, first, std::min(count, first + grain));
+            done.fetch_add(1, std::memory_order_acq_rel);
+        }
     }
 
-    void serve() {
+    void work_on(std::size_t me) {
+        work_on_share(me, true);
+        for (std::size_t next = 1; next < shares.size(); ++next) work_on_share((me + next) % shares.size(), false);
+    }
+
+    void serve(std::size_t me) {
         int looks = 0;
-        while (!over.load(std::memory_order_relaxed)) {
-            if (take_chunk()) {
+        for (std::uint64_t last = 0; !over.load(std::memory_order_relaxed);) {
+            if (std::uint64_t now = job.load(std::memory_order_acquire); now != last) {
+                last = now;
                 looks = 0;
+                work_on(me);
             } else if (awake.load(std::memory_order_acquire)) {
                 breathe(looks);
             } else {
@@ -127,7 +155,8 @@ Threads::Shift::Shift(Threads& threads) : threads_(threads) {
     if (threads.crew_ && threads.crew_->process != this_process()) (void)threads.crew_.release();
     if (!threads.crew_) {
         const int cores = static_cast<int>(std::thread::hardware_concurrency());
-        threads.crew_ = std::make_unique<Crew>(std::min(threads.count_, std::max(cores, kAlwaysStarted)) - 1);
+        const int size = std::min(threads.count_, std::max(cores, kAlwaysStarted)) - 1;
+        threads.crew_ = std::make_unique<Crew>(static_cast<std::size_t>(size));
     }
     threads.crew_->wake(true);
 }
@@ -144,9 +173,11 @@ void Threads::run(std::size_t count, std::size_t grain, Chunk chunk, void* work)
     crew.chunk = chunk;
     crew.work = work;
     crew.done.store(0, std::memory_order_relaxed);
-    std::uint64_t job = (crew.board.load(std::memory_order_relaxed) >> 32) + 1;
-    crew.board.store(job << 32 | crew.chunks, std::memory_order_release);
-    while (crew.take_chunk()) {}
+    std::size_t shares = crew.shares.size();
+    for (std::size_t i = 0; i < shares; ++i)
+        crew.shares[i].deal(crew.chunks * i / shares, crew.chunks * (i + 1) / shares);
+    crew.job.fetch_add(1, std::memory_order_release);
+    crew.work_on(0);
     for (int looks = 0; crew.done.load(std::memory_order_acquire) != crew.chunks;) breathe(looks);
 }
 
