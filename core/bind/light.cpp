@@ -23,6 +23,7 @@ struct LightsBox { // what Python holds
     light::Lights lights;
     light::Scratch scratch;
     light::Casters casters; // of the debug view
+    Threads threads;
 };
 
 using Reference = std::tuple<std::uint32_t, std::uint32_t>; // slot, generation
@@ -85,7 +86,7 @@ bool collect(LightsBox& box, const SceneBox& scene, World& world, const Matrix6&
     look.smokes = smoky;
     if (needed && quality == light::Quality::high) find_colours(box.scratch.bounce, scene.scene, list, world);
     light::compute(list.light, box.scratch, box.lights, look, world, to_affine(view), part_of_step(alpha), width,
-                   height);
+                   height, box.threads);
     draw::light_specks(list);
     return needed;
 }
@@ -158,6 +159,10 @@ void register_light(nb::module_& module) {
         .value("high", light::Quality::high);
     nb::class_<LightsBox> c(module, "Lights", "Lights by slot and generation; evilengine.scene.lights is the face.");
     c.def(nb::init<>());
+    c.def_prop_rw(
+        "threads", [](const LightsBox& box) { return box.threads.count(); },
+        [](LightsBox& box, int count) { box.threads.set_count(count); },
+        "How many threads may work out a frame's light. The bits are the same with any number.");
     c.def("__len__", [](const LightsBox& box) { return box.lights.slots.count(); });
     c.def(
         "add",

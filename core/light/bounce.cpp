@@ -7,6 +7,8 @@
 namespace evil::light {
 namespace {
 
+constexpr std::size_t kRows = 16; // of texels that a thread takes at a time
+
 constexpr float kPlain =
     0.5f; // of a body that is not drawn, and of white pictures, whose colours the core does not know
 constexpr float kWhitest = 0.9f; // what paint sends back at most: freshly plastered walls do
@@ -56,12 +58,12 @@ void take_in(Bounce& bounce, const BounceMap& map, const BounceLook& look) {
 // What was found, less the ambient light, is added. A texel that a body covers some of is solid to rays, and may be seen
 // beside the body: it takes the mean of the air's light round it.
 void add_found(const Bounce& bounce, const BounceMap& map, const float* found, std::size_t row, float ambient,
-               float* to) {
+               float* to, Threads& threads) {
     const auto in_air = [&](int x, int y) {
         return x >= 0 && y >= 0 && x < map.width && y < map.height &&
                bounce.bodies[static_cast<std::size_t>(y) * map.stride + x] == kNone;
     };
-    for (int y = 0; y < map.height; ++y)
+    const auto add_row = [&](int y) {
         for (int x = 0; x < map.width; ++x) {
             const float* at = found + y * row + x;
             float sum = 0.0f, count = 0.0f;
@@ -74,6 +76,10 @@ void add_found(const Bounce& bounce, const BounceMap& map, const float* found, s
             }
             if (count > 0.0f) to[static_cast<std::size_t>(y) * map.stride + x] += sum / count - ambient;
         }
+    };
+    parallel_for(threads, static_cast<std::size_t>(map.height), kRows, [&](std::size_t first, std::size_t last) {
+        for (std::size_t y = first; y < last; ++y) add_row(static_cast<int>(y));
+    });
 }
 
 } // namespace
@@ -91,7 +97,8 @@ void find_colours(Bounce& bounce, const draw::Scene& scene, const draw::DrawList
     find_glowing(bounce.glowing, list, bounce.levels);
 }
 
-void add_bounced(Bounce& bounce, const BounceMap& map, const BounceLook& look, const Casters& casters, World& world) {
+void add_bounced(Bounce& bounce, const BounceMap& map, const BounceLook& look, const Casters& casters, Threads& threads,
+                 InstructionSet set) {
     const std::size_t plane = static_cast<std::size_t>(map.stride) * map.height;
     bounce.bodies.assign(plane, kNone);
     for (const Caster& caster : casters.rows)
@@ -112,12 +119,12 @@ void add_bounced(Bounce& bounce, const BounceMap& map, const BounceLook& look, c
         if (map.across)
             found.across[c] = found.light[c] + 3 * found_plane, found.down[c] = found.light[c] + 6 * found_plane;
     }
-    spread(bounce.cascades, bounce.cells, sky, found, world.threads, world.instruction_set);
+    spread(bounce.cascades, bounce.cells, sky, found, threads, set);
     for (int c = 0; c < 3; ++c) {
-        add_found(bounce, map, found.light[c] + start, row, look.ambient[c], map.shaded + c * plane);
+        add_found(bounce, map, found.light[c] + start, row, look.ambient[c], map.shaded + c * plane, threads);
         if (!map.across) continue;
-        add_found(bounce, map, found.across[c] + start, row, 0.0f, map.across + c * plane);
-        add_found(bounce, map, found.down[c] + start, row, 0.0f, map.down + c * plane);
+        add_found(bounce, map, found.across[c] + start, row, 0.0f, map.across + c * plane, threads);
+        add_found(bounce, map, found.down[c] + start, row, 0.0f, map.down + c * plane, threads);
     }
 }
 

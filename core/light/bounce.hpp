@@ -41,6 +41,7 @@ struct BounceMap { // its texels; planes of red, green and blue one after anothe
 void find_colours(Bounce& bounce, const draw::Scene& scene, const draw::DrawList& list, const World& world);
 
 // Adds to what is shaded the light of surfaces, less what of the ambient light is kept away.
-void add_bounced(Bounce& bounce, const BounceMap& map, const BounceLook& look, const Casters& casters, World& world);
+void add_bounced(Bounce& bounce, const BounceMap& map, const BounceLook& look, const Casters& casters, Threads& threads,
+                 InstructionSet set);
 
 } // namespace evil::light

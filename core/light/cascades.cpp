@@ -166,35 +166,38 @@ void add_quarter(Cascades& scratch, const Cells& cells, bool backward, const Sky
     for (int n = 0; n < q.top; ++n) join(scratch, q, levels, n, threads, set);
     gather_top(scratch, q, levels, sky, threads, set);
     for (int n = q.top - 1; n >= 0; --n) gather(scratch, q, levels, n, sky, threads, set);
-    for (int row = 0; row < q.rows; ++row)
-        for (int c = 0; c < 3; ++c) {
-            const float* from = cone_row(scratch.cones[0], q, 0, row, 0) + c * q.stride;
-            const int at = backward ? q.rows - 1 - row : row;
-            const std::size_t first = (static_cast<std::size_t>(c) * q.rows + at) * q.stride;
-            float* to = result.data() + first;
-            for (int x = 0; x < q.width; ++x) to[x] += from[x];
-            if (lean.empty()) continue;
-            to = lean.data() + first;
-            const float way = backward ? -kQuarterWay : kQuarterWay;
-            for (int x = 0; x < q.width; ++x) to[x] += way * from[x];
-        }
+    parallel_for(threads, q.rows, kGrain, [&](std::size_t begin, std::size_t end) {
+        for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
+            for (int c = 0; c < 3; ++c) {
+                const float* from = cone_row(scratch.cones[0], q, 0, row, 0) + c * q.stride;
+                const int at = backward ? q.rows - 1 - row : row;
+                const std::size_t first = (static_cast<std::size_t>(c) * q.rows + at) * q.stride;
+                float* to = result.data() + first;
+                for (int x = 0; x < q.width; ++x) to[x] += from[x];
+                if (lean.empty()) continue;
+                to = lean.data() + first;
+                const float way = backward ? -kQuarterWay : kQuarterWay;
+                for (int x = 0; x < q.width; ++x) to[x] += way * from[x];
+            }
+    });
 }
 
 constexpr int kBlock = 16; // cells: a square that stays in the nearest cache while it is turned
 
-template <class Put> void each_turned(int width, int height, Put&& put) {
-    for (int top = 0; top < height; top += kBlock)
+template <class Put> void each_turned(int width, int height, Threads& threads, Put&& put) {
+    parallel_for(threads, height, kBlock, [&](std::size_t top, std::size_t bottom) {
         for (int left = 0; left < width; left += kBlock)
-            for (int y = top; y < std::min(top + kBlock, height); ++y)
+            for (int y = static_cast<int>(top); y < static_cast<int>(bottom); ++y)
                 for (int x = left; x < std::min(left + kBlock, width); ++x) put(x, y);
+    });
 }
 
-void turn(Cells& turned, const Cells& cells) {
+void turn(Cells& turned, const Cells& cells, Threads& threads) {
     turned.resize(cells.height, cells.width, cells.glows);
     for (int plane = 0; plane < cells.planes(); ++plane) {
         const float* from = cells.row(plane, 0);
         float* to = turned.row(plane, 0);
-        each_turned(cells.width, cells.height, [&](int x, int y) {
+        each_turned(cells.width, cells.height, threads, [&](int x, int y) {
             to[static_cast<std::size_t>(x) * turned.stride + y] = from[static_cast<std::size_t>(y) * cells.stride + x];
         });
     }
@@ -205,7 +208,7 @@ void turn(Cells& turned, const Cells& cells) {
 void spread(Cascades& scratch, const Cells& cells, const Sky& sky, const Found& found, Threads& threads,
             InstructionSet set) {
     const int width = cells.width, height = cells.height;
-    turn(scratch.turned, cells);
+    turn(scratch.turned, cells, threads);
     const Cells* ways[2] = {&cells, &scratch.turned};
     for (int way = 0; way < 2; ++way) {
         std::vector<float>& result = scratch.results[way];
@@ -219,13 +222,13 @@ void spread(Cascades& scratch, const Cells& cells, const Sky& sky, const Found& 
     for (int c = 0; c < 3; ++c) {
         const float* one = scratch.results[0].data() + c * straight * height;
         const float* other = scratch.results[1].data() + c * turned * width;
-        each_turned(width, height, [&](int x, int y) {
+        each_turned(width, height, threads, [&](int x, int y) {
             found.light[c][static_cast<std::size_t>(y) * found.stride + x] =
                 one[y * straight + x] + other[x * turned + y];
         });
         if (!found.across[0]) continue;
         one = scratch.leans[0].data() + c * straight * height, other = scratch.leans[1].data() + c * turned * width;
-        each_turned(width, height, [&](int x, int y) {
+        each_turned(width, height, threads, [&](int x, int y) {
             const std::size_t at = static_cast<std::size_t>(y) * found.stride + x;
             found.down[c][at] = one[y * straight + x], found.across[c][at] = other[x * turned + y];
         });

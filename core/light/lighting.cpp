@@ -10,6 +10,8 @@ namespace {
 
 constexpr float kHard =
     0.25f; // texels: half a lamp's line at the least; its half shadows are a texel wide all the same
+constexpr std::size_t kRows = 16;            // of the map, that a thread packs at a time
+constexpr std::size_t kWorthSharing = 40000; // texels in reach of lamps, about 200 us: less than that wakes no threads
 
 struct Grid { // of the map's texels
     int width, height, stride;
@@ -147,16 +149,15 @@ Planes planes_at(float* first, std::size_t plane, bool directed) {
 
 // What lamps with shadows give, on and in bodies, is added to the rest: light, and the ways that it comes from.
 void add_shaded(Scratch& scratch, const Grid& grid, int reach, const Planes& open, const Planes& shaded, bool directed,
-                World& world) {
+                Threads& threads, InstructionSet set) {
     const std::size_t count = static_cast<std::size_t>(grid.stride) * grid.height;
     const bool bodies = std::ranges::find(scratch.solid, std::uint8_t{1}) != scratch.solid.end();
     float* const* to[] = {open.light, open.across, open.down};
     float* const* from[] = {shaded.light, shaded.across, shaded.down};
-    parallel_for(world.threads, directed ? 3 : 1, 1, [&](std::size_t first, std::size_t last) {
+    parallel_for(threads, directed ? 3 : 1, 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             if (bodies)
-                add_soaked(to[i], from[i], scratch.solid, grid.stride, grid.height, reach, world.instruction_set,
-                           scratch.soak[i]);
+                add_soaked(to[i], from[i], scratch.solid, grid.stride, grid.height, reach, set, scratch.soak[i]);
             else
                 for (std::size_t c = 0; c < 3; ++c)
                     for (std::size_t at = 0; at < count; ++at) to[i][c][at] += from[i][c][at];
@@ -164,18 +165,33 @@ void add_shaded(Scratch& scratch, const Grid& grid, int reach, const Planes& ope
     });
 }
 
-void pack(LightMap& map, const Grid& grid, const Planes& planes, InstructionSet set) {
+void pack(LightMap& map, const Grid& grid, const Planes& planes, Threads& threads, InstructionSet set) {
     const std::size_t count = static_cast<std::size_t>(map.width) * map.height;
     map.texels.resize(count);
     if (map.directed) map.across.resize(count), map.down.resize(count);
-    for (int y = 0; y < map.height; ++y) {
-        const int from = y * grid.stride;
-        const std::size_t to = static_cast<std::size_t>(y) * map.width;
-        EVIL_PICK(set, pack_factors_wide)(planes.light, from, map.width, &map.texels[to]);
-        if (!map.directed) continue;
-        EVIL_PICK(set, pack_ways_wide)(planes.light, planes.across, from, map.width, &map.across[to]);
-        EVIL_PICK(set, pack_ways_wide)(planes.light, planes.down, from, map.width, &map.down[to]);
-    }
+    parallel_for(threads, static_cast<std::size_t>(map.height), kRows, [&](std::size_t first, std::size_t last) {
+        for (std::size_t y = first; y < last; ++y) {
+            const int from = static_cast<int>(y) * grid.stride;
+            const std::size_t to = y * map.width;
+            EVIL_PICK(set, pack_factors_wide)(planes.light, from, map.width, &map.texels[to]);
+            if (!map.directed) continue;
+            EVIL_PICK(set, pack_ways_wide)(planes.light, planes.across, from, map.width, &map.across[to]);
+            EVIL_PICK(set, pack_ways_wide)(planes.light, planes.down, from, map.width, &map.down[to]);
+        }
+    });
+}
+
+bool is_worth_sharing(const Scratch& scratch, const Look& look, std::size_t texels) {
+    if (look.quality == Quality::high) return true;
+    double lit = 0;
+    for (const auto& casts :
+         {std::span(scratch.open).first(scratch.open_count), std::span(scratch.shaded).first(scratch.shaded_count)})
+        for (const Cast& cast : casts) {
+            const double reach = cast.lamp.reach, side = 2.0 * reach;
+            lit +=
+                cast.lamp.parallel ? static_cast<double>(texels) : std::min(side * side, static_cast<double>(texels));
+        }
+    return lit >= static_cast<double>(kWorthSharing);
 }
 
 } // namespace
@@ -186,8 +202,8 @@ void remove_orphans(Lights& lights, const Slots& bodies) {
             lights.slots.release(slot);
 }
 
-void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& look, World& world, const Affine& view,
-             float alpha, int width, int height) {
+void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& look, const World& world,
+             const Affine& view, float alpha, int width, int height, Threads& threads) {
     map.on = look.on;
     map.directed = look.on && look.directed;
     if (!map.on) return;
@@ -199,6 +215,8 @@ void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& 
             find_veil(cast.veil, scratch.haze, cast.lamp);
 
     const std::size_t plane = static_cast<std::size_t>(grid.stride) * grid.height;
+    std::optional<Threads::Shift> shift;
+    if (is_worth_sharing(scratch, look, plane)) shift.emplace(threads);
     const std::size_t planes = look.directed ? 9 : 3;
     scratch.planes.assign(2 * planes * plane, 0.0f);
     scratch.solid.assign(plane, 0);
@@ -207,12 +225,14 @@ void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& 
     const Field field{grid.width, grid.height, grid.stride, scratch.solid, scratch.casters};
     const Rgb ambient = linear(look.ambient, look.strength);
     for (std::size_t i = 0; i < 3; ++i) std::fill_n(open.light[i], plane, ambient[i]);
-    shade(scratch.blocks, std::span(scratch.open).first(scratch.open_count), field, open, world);
+    shade(scratch.blocks, std::span(scratch.open).first(scratch.open_count), field, open, threads,
+          world.instruction_set);
     if (scratch.shaded_count > 0 || look.quality == Quality::high) {
         for (const Caster& caster : scratch.casters.rows)
             fill<std::uint8_t>(scratch.casters, caster, grid.width, grid.height, grid.stride, scratch.solid, 1,
                                Covers::middle);
-        shade(scratch.blocks, std::span(scratch.shaded).first(scratch.shaded_count), field, shaded, world);
+        shade(scratch.blocks, std::span(scratch.shaded).first(scratch.shaded_count), field, shaded, threads,
+              world.instruction_set);
         const float t = 1.0f / map.step;
         const Affine from_pixel{t, 0, 0, t, 0.5f - map.first.x * t, 0.5f - map.first.y * t};
         // What a lamp stands in is in its whole light, and small: it would send out rays that one sees one by one.
@@ -222,11 +242,12 @@ void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& 
             add_bounced(scratch.bounce,
                         {grid.stride, grid.height, grid.stride, from_pixel, grid.left, grid.top, open.light[0],
                          shaded.light[0], shaded.across[0], shaded.down[0]},
-                        {ambient, look.bounce, look.shade * grid.scale}, scratch.casters, world);
+                        {ambient, look.bounce, look.shade * grid.scale}, scratch.casters, threads,
+                        world.instruction_set);
         const int reach = std::clamp(static_cast<int>(std::lround(look.depth * grid.scale)), 1, grid.width);
-        add_shaded(scratch, grid, reach, open, shaded, look.directed, world);
+        add_shaded(scratch, grid, reach, open, shaded, look.directed, threads, world.instruction_set);
     }
-    pack(map, grid, open, world.instruction_set);
+    pack(map, grid, open, threads, world.instruction_set);
 }
 
 } // namespace evil::light

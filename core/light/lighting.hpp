@@ -45,7 +45,7 @@ struct Scratch { // losing it changes nothing
 void remove_orphans(Lights& lights, const Slots& bodies);
 
 // `view`: world to pixels of a picture of that size. Allocates nothing once the vectors have grown.
-void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& look, World& world, const Affine& view,
-             float alpha, int width, int height);
+void compute(LightMap& map, Scratch& scratch, const Lights& lights, const Look& look, const World& world,
+             const Affine& view, float alpha, int width, int height, Threads& threads);
 
 } // namespace evil::light

@@ -123,15 +123,15 @@ struct Work {
 } // namespace
 
 void shade(std::vector<Block>& blocks, std::span<const Cast> casts, const Field& field, const Planes& to,
-           World& world) {
+           Threads& threads, InstructionSet set) {
     if (casts.empty()) return;
     const int across = (field.width + kBlock - 1) / kBlock, down = (field.height + kBlock - 1) / kBlock;
     const auto count = static_cast<std::size_t>(across) * down;
     if (blocks.size() < count) blocks.resize(count);
-    parallel_for(world.threads, count, 1, [&](std::size_t first, std::size_t last) {
+    parallel_for(threads, count, 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
             for (const Cast& cast : casts) {
-                const Work work{blocks[i], cast, field, to, world.instruction_set};
+                const Work work{blocks[i], cast, field, to, set};
                 const Square square{static_cast<int>(i) % across * kBlock, static_cast<int>(i) / across * kBlock,
                                     kBlock};
                 if (!cast.baked) {

@@ -33,6 +33,7 @@ struct Field {                           // what is lit
     const Casters& casters;
 };
 
-void shade(std::vector<Block>& blocks, std::span<const Cast> casts, const Field& field, const Planes& to, World& world);
+void shade(std::vector<Block>& blocks, std::span<const Cast> casts, const Field& field, const Planes& to,
+           Threads& threads, InstructionSet set);
 
 } // namespace evil::light

@@ -2070,6 +2070,15 @@ class Lights:
 
     def __init__(self) -> None: ...
 
+    @property
+    def threads(self) -> int:
+        """
+        How many threads may work out a frame's light. The bits are the same with any number.
+        """
+
+    @threads.setter
+    def threads(self, arg: int, /) -> None: ...
+
     def __len__(self) -> int: ...
 
     def add(self, body: tuple[int, int] | None = None) -> tuple[int, int]:

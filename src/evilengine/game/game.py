@@ -53,9 +53,9 @@ class Game(Life, GameScreen, Controls, Things):
     "gl" (the graphics card), "soft" (the processor), or "auto": the card if there is one. `sound` is "auto" (the sound
     card, and none where there is no window), "none", or the name of a .wav file to write. With `tilt=True` gravity
     follows how the device is held, or the arrow keys, wheel or stick that stand in for it. `seed` starts
-    `game.random`. `threads` (1 to 256) share in steps, and in pictures that no card draws, which come out to the same
-    bits however many they are; None stands for one in steps, and in pictures for as many as the machine has, four at
-    most. Files are found beside the script that runs, or in `folder`.
+    `game.random`. `threads` (1 to 256) share in steps, in light and in pictures that no card draws, which come out to
+    the same bits however many they are; None stands for one in steps, and for what is seen as many as the machine has,
+    four at most. Files are found beside the script that runs, or in `folder`.
 
     Its callbacks are decorators. Each step: `on_key_press(key)`, `on_key_release(key)`, `on_pointer(pointer)`,
     `on_touch(touch)`, `on_tilt(tilt)` and `on_shake()` for what the player did, then the timer's events, then
@@ -119,6 +119,7 @@ class Game(Life, GameScreen, Controls, Things):
             images=self._pictures.slide,
             fonts=self._pictures.font,
             renderer=self.renderer,
+            threads=drawing,
         )
         self.panel = Panel(lambda: self._inputs.pointer)
         """Values and knobs on the screen for who makes the game; see Panel."""

@@ -75,10 +75,11 @@ class Lights:
         *("_shadows", "_smokes", "_slide_names", "_slides", "_world"),
     )
 
-    def __init__(self, world: World, images: Loads | None = None) -> None:
+    def __init__(self, world: World, images: Loads | None = None, threads: int = 1) -> None:
         self._world = world
         self._images = images
         self._core = _core.Lights()
+        self._core.threads = threads
         self._slides = Slides(self._core)
         self._slide_names: dict[int, str] = {}
         self._ambient: float | Colour | None = None

@@ -66,6 +66,7 @@ class Scene(Shown):
         fonts: Fonts | None = None,
         background: ColourLike = BACKGROUND,
         renderer: PictureKeeper | None = None,
+        threads: int = 1,
     ) -> None:
         if not isinstance(world, World):
             raise ArgumentTypeError(f"Scene: world={world!r} must be a World")
@@ -98,7 +99,7 @@ class Scene(Shown):
         """How the world's smokes are seen."""
         self.waters = WaterLooks(self)
         """How the world's waters are seen."""
-        self.lights = Lights(world, images)
+        self.lights = Lights(world, images, threads)
         """What shines on drawings that are lit: lamps, spots, suns, and the ambient light."""
         self.background = background
         show(world, self)
