@@ -34,6 +34,11 @@ MISTAKES = [
     ("lens;", "lens needs a property", "as in: lens bloom 0.6;"),
     ("plane -2 fog 0.5;", "fog needs a colour", 'as in: fog "#8fa3b840"'),
     ('background "red" lit;', "lit is for pictures, and red is a colour", 'as in: background "hills.png" lit ...'),
+    (LAMP + "dim lamp 0.5;", "there is no statement 'dim'", "what changes is said by set lamp ..."),
+    (LAMP + "intensify lamp 2;", "there is no statement 'intensify'", "did you mean: set lamp intensity ...?"),
+    ("new particles p rate 1; burst p 20;", "there is no statement 'burst'", "did you mean: set p bursting ...?"),
+    ("rectangel 2 1 at 0 3;", "to make a rectangle, start with new", "did you mean 'new rectangle'?"),
+    ("lantern at 0 3;", "to make a light, start with new", "did you mean 'new light'?"),
     ("camera over 2;", "over needs at, zoom or angle", "as in: at 0 2"),
     ('text "Hi" 20 20;', "the number 20 belongs to nothing", "what is it? as in: at 20 20"),
     ("new circle ball 1 colour rgb(1, 0, 0);", "a colour is not worked out, as by rgb( )", 'as in: colour "red"'),
@@ -45,6 +50,11 @@ def test_a_mistake_is_one_error_that_says_what_would_be_right(text: str, message
     (error,) = script.check(text)[1]
     assert message in error.message
     assert suggestion in error.suggestion
+
+
+def test_a_text_breaks_its_line_where_it_says_so() -> None:
+    (text,) = script.read(r'text "one\ntwo {{x}}" at 0 0;').commands
+    assert getattr(text, "pieces", None) == ("one\ntwo {x}",)
 
 
 @pytest.mark.parametrize(

@@ -373,7 +373,8 @@ class Checker:
                 result += [plain, Name(name)]
                 plain = ""
         plain += text.value[end:]
-        return (*result, plain) if plain or not result else tuple(result)
+        result += [plain] if plain or not result else []
+        return tuple(each.replace("\\n", "\n") if isinstance(each, str) else each for each in result)
 
 
 def fixed_points(pairs: tuple[Pair, ...]) -> list[tuple[float, float]] | None:

@@ -126,6 +126,9 @@ class Parser(Pictured):
             )
             return self.changed(token.place, len(self.source.diagnostics))
         suggestion = None if kind else near_statement(word)
+        if kind is None and suggestion is None and self.next.text in self.made:
+            self.unknown_statement(token)
+            return self._lost()
         kind = kind or (None if suggestion else near_kind(word))
         if suggestion:
             self.error(
@@ -135,13 +138,7 @@ class Parser(Pictured):
         if kind:
             self.error("missing-new", f"to make a {kind}, start with new", token, f"did you mean 'new {kind}'?")
             return self.thing(token.place, len(self.source.diagnostics) - 1)
-        if "." in word:
-            owner = word.split(".")[0]
-            hint = f"as in: set {owner} velocity 1 0;  destroy {owner};"
-            self.error("unknown-statement", f"there is no statement {shown(token)}", token, hint)
-        else:
-            hint = f"statements start with {', '.join(STATEMENTS)}"
-            self.error("unknown-statement", f"there is no statement {shown(token)}", token, hint)
+        self.unknown_statement(token)
         return self._lost()
 
     def _leads_to_block(self) -> bool:

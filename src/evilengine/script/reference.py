@@ -76,7 +76,9 @@ def reference() -> str:
     parts.append(f"### Events\n\n{events}\n")
     parts.append("## What `new` makes\n")
     parts += [_kind(kind) for kind in KINDS.values()]
-    parts.append("## Properties\n\n`set` can change those that are marked.\n")
+    parts.append(
+        "## Properties\n\n`set` can change those that are marked; the last column is the keyword or attribute of that name in Python.\n"
+    )
     parts.append("### Of things\n\n" + _table(properties_of("body")))
     parts.append("### Of characters\n\n" + _table(properties_of("character")))
     parts.append("### Of springs\n\n" + _table(properties_of("spring")))
@@ -132,14 +134,17 @@ def _merged(*families: str) -> list[Property]:
 
 
 def _table(properties: Iterable[Property]) -> str:
-    lines = ["| write | it means | allowed | `set` |", "|---|---|---|---|"]
+    lines = ["| write | it means | allowed | `set` | in Python |", "|---|---|---|---|---|"]
     for each in properties:
         allowed = str(each.range) if each.takes not in _WITHOUT_RANGE else ""
-        lines.append(f"| `{example_of(each)}` | {each.doc} | {allowed} | {'yes' if each.settable else ''} |")
+        if each.choices is not None:
+            allowed = ", ".join(f"`{word}`" for word in each.choices)
+        changes = "yes" if each.settable else ""
+        lines.append(f"| `{example_of(each)}` | {each.doc} | {allowed} | {changes} | `{each.option}` |")
     return "\n".join(lines) + "\n"
 
 
-_WITHOUT_RANGE = {"flag", "colour", "colours", "picture", "tag", "name", "names"}
+_WITHOUT_RANGE = {"flag", "switch", "choice", "colour", "colours", "picture", "font", "tag", "name", "names"}
 
 
 def main(arguments: list[str]) -> int:

@@ -88,7 +88,7 @@ STATEMENTS: Mapping[str, Statement] = {
             word="text",
             form='text [NAME] "WORDS" at X Y [PROPERTIES];',
             doc="A line of words on the screen; `at` counts points from the top left corner. "
-            "A number's name in { } shows the number.",
+            "A number's name in { } shows the number, and `\\n` begins a new line.",
             example='let score 0;\ntext "Score {score}" at 20 20 size 24;',
             meant=("print", "write", "label", "say", "show"),
         ),

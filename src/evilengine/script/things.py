@@ -15,7 +15,9 @@ from evilengine.script.words import (
     KINDS,
     PROPERTY_WORDS,
     RESERVED,
+    STATEMENTS,
     has,
+    near_change,
     near_kind,
     placed,
     property_of,
@@ -98,6 +100,18 @@ class Things(Settings, ABC):
         self.finish()
         return Sounding(word, file, settings, place, broken)
 
+    def unknown_statement(self, token: Token) -> None:
+        """Say that nothing starts with this word, and what was probably meant."""
+        word, name = token.text, self.next.text
+        hint = f"statements start with {', '.join(STATEMENTS)}"
+        if "." in word:
+            owner = word.split(".")[0]
+            hint = f"as in: set {owner} velocity 1 0;  destroy {owner};"
+        elif name in self.made:
+            changed = near_change(word, self.made[name])
+            hint = f"did you mean: set {name} {changed} ...?" if changed else f"what changes is said by set {name} ..."
+        self.error("unknown-statement", f"there is no statement {shown(token)}", token, hint)
+
     # new KIND [NAME] SIZES PROPERTIES
 
     def thing(self, place: Place, before: int, *, drawn: bool = False) -> New:
@@ -146,12 +160,9 @@ class Things(Settings, ABC):
             self._swapped = Identifier(token.text, token.place)
             return KINDS[after.text], after.place
         suggestion = near_kind(token.text)
-        self.error(
-            "unknown-kind",
-            f"there is no kind of thing called {shown(token)}",
-            token,
-            f"did you mean '{suggestion}'?" if suggestion else f"there are {', '.join(KINDS)}",
-        )
+        if not self.just_reported(token.place):
+            hint = f"did you mean '{suggestion}'?" if suggestion else f"there are {', '.join(KINDS)}"
+            self.error("unknown-kind", f"there is no kind of thing called {shown(token)}", token, hint)
         return (KINDS[suggestion] if suggestion else None), token.place
 
     def _name_of_new(self, family: str) -> Identifier | None:

@@ -114,7 +114,10 @@ def meant_for(words: Iterable[Word]) -> dict[str, str]:
 
 @functools.lru_cache(maxsize=1000)
 def near_statement(wrong: str) -> str | None:
-    return near(wrong, STATEMENTS, meant_for(STATEMENTS.values()))
+    meant, word = meant_for(STATEMENTS.values()), wrong.lower()
+    if word not in meant and word in meant_for(KINDS.values()):
+        return None  # another name of a kind is no statement that happens to look like it
+    return near(wrong, STATEMENTS, meant)
 
 
 @functools.lru_cache(maxsize=1000)
@@ -129,9 +132,16 @@ def near_property(wrong: str, family: str) -> str | None:
     return near(wrong, [each.word for each in own], meant_for(own))
 
 
+@functools.lru_cache(maxsize=1000)
+def near_change(wrong: str, family: str) -> str | None:
+    """The property of this family that `set` changes and that `wrong` is near to."""
+    own = [each for each in properties_of(family) if each.settable]
+    return near(wrong, [each.word for each in own], meant_for(own))
+
+
 __all__ = [
     "ARITY", "CHARACTER_EVENTS", "DRAWN", "EVENTS", "EVENT_MEANT", "EVENT_NAMES", "FUNCTIONS", "JOINING_WORDS", "KINDS",
     "MEETINGS", "PROPERTIES", "PROPERTY_WORDS", "RESERVED", "STATEMENTS", "changes_of", "has", "kind_called",
-    "meant_for", "near", "near_kind", "near_property", "near_statement", "placed", "properties_of", "property_of",
-    "some", "takes",
+    "meant_for", "near", "near_change", "near_kind", "near_property", "near_statement", "placed", "properties_of",
+    "property_of", "some", "takes",
 ]  # fmt: skip
