@@ -144,3 +144,27 @@ def test_a_liquid_that_weighs_next_to_nothing_beside_the_other(light: float) -> 
     for _ in range(60):
         world.step(1 / 60)
     assert abs(np.asarray(water.velocities)).max() < 20
+
+
+@pytest.mark.parametrize("viscosity", [10, 100, 1e4])
+def test_a_ball_in_what_is_very_thick_is_not_thrown_about(viscosity: float) -> None:
+    world = evil.World(gravity=(0, -10))
+    water = world.add_water((0, 0, 3, 2), particle_size=0.05, viscosity=viscosity)
+    ball = world.add(evil.Circle(0.2), at=(0.8, 1.5), density=0.5)
+    water.fill((0.3, 0.3, 1.3, 1.3))
+    fastest = 0.0
+    for _ in range(120):
+        world.step(DT)
+        fastest = max(fastest, ball.velocity.length, float(abs(np.asarray(water.velocities)).max()))
+    assert fastest < 2.5  # it falls less than 0.3 m freely; the two threw each other about at up to 25 m/s
+
+
+def test_a_spinning_ball_in_honey_and_the_honey_round_it_come_to_turn_alike() -> None:
+    world = evil.World(gravity=(0, 0))
+    water = world.add_water((0, 0, 2, 2), particle_size=0.05, viscosity=1)
+    ball = world.add(evil.Circle(0.3), at=(1, 1), angular_velocity=10)
+    water.fill((0, 0, 2, 2))
+    for _ in range(6):
+        world.step(DT)
+    assert 0 < ball.angular_velocity < 8
+    assert 0 < water.velocity_at((1, 1.4)).x * -1 < 0.4 * 10

@@ -74,8 +74,11 @@ struct ThickFace { // in the equation of viscosity
 
 struct Rub { // of liquid on a body, at a face
     std::uint32_t body;
-    Vec2 along, arm;
-    float firm, against; // how firmly, and the speed past the body
+    std::size_t face; // in the row of them
+    float arm, firm;  // speed there that a spin of 1 makes; how firmly
+};
+struct Drag { // of a body by what rubs on it, within the step: how its velocity changes
+    float x = 0.0f, y = 0.0f, spin = 0.0f;
 };
 
 struct ThickScratch {
@@ -83,6 +86,7 @@ struct ThickScratch {
     std::vector<ThickFace> faces;
     std::vector<float> x, r, s, q;
     std::vector<Rub> rubs;
+    std::vector<Drag> drags; // by body
 };
 
 struct WaterScratch {

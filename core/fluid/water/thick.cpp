@@ -3,6 +3,7 @@
 #include "world.hpp"
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace evil::fluid {
 namespace {
@@ -39,12 +40,14 @@ public:
     Thickening(World& world, Water& water, bool sideways, float dt)
         : world_(world), water_(water), s_(*water.scratch), t_(s_.thick), g_(water.grid), sideways_(sideways),
           flow_(sideways ? s_.u : s_.v), open_(sideways ? s_.solids.across() : s_.solids.up()),
-          beside_(sideways ? 1 : g_.stride), per_viscosity_(dt / (g_.h * g_.h)) {}
+          beside_(sideways ? 1 : g_.stride), dt_(dt), per_viscosity_(dt / (g_.h * g_.h)) {}
 
     void run() {
         number_faces();
         if (t_.faces.empty()) return;
+        t_.rubs.clear();
         for (std::size_t k = 0; k < t_.faces.size(); ++k) link(k);
+        rub();
         solve();
         for (std::size_t k = 0; k < t_.faces.size(); ++k) flow_[t_.faces[k].at] = t_.x[k];
         for (const ThickFace& face : t_.faces) t_.numbers[static_cast<std::size_t>(face.at)] = -1;
@@ -88,23 +91,56 @@ private:
             } else if (outside || open_[other] == 0.0f) {
                 const float firm = ahead ? k : 2.0f * k;
                 face.total += firm;
-                face.wanted += firm * wall_speed(face, i, j, outside, firm);
+                if (!outside) touch(number, i, j, firm);
             }
         }
     }
 
-    // Of the wall that a face rubs on; a body is told what rubs on it.
-    float wall_speed(const ThickFace& face, int i, int j, bool outside, float firm) {
-        if (outside || (sideways_ ? i == 0 || i == g_.nx : j == 0 || j == g_.ny)) return 0.0f;
+    // A face rubs on what stands at a place: on nothing that moves unless that is a body.
+    void touch(std::size_t number, int i, int j, float firm) {
+        if (sideways_ ? i == 0 || i == g_.nx : j == 0 || j == g_.ny) return;
         const float x = static_cast<float>(i) + (sideways_ ? 0.0f : 0.5f),
                     y = static_cast<float>(j) + (sideways_ ? 0.5f : 0.0f);
         const Bank bank = bank_at(water_, x, y);
-        if (bank.body == kNone || !moves(world_.bodies.rows[bank.body])) return 0.0f;
-        const Body& b = world_.bodies.rows[bank.body];
-        const Vec2 place = g_.low + g_.h * Vec2{x, y}, speed = velocity_at(b, place);
-        const float own = sideways_ ? speed.x : speed.y, against = flow_[face.at] - own;
-        t_.rubs.push_back({bank.body, sideways_ ? Vec2{1, 0} : Vec2{0, 1}, place - b.centre, firm, against});
-        return own;
+        if (bank.body == kNone || !moves(world_.bodies.rows[bank.body])) return;
+        const Vec2 arm = g_.low + g_.h * Vec2{x, y} - world_.bodies.rows[bank.body].centre;
+        t_.rubs.push_back({bank.body, number, sideways_ ? -arm.y : arm.x, firm});
+    }
+
+    // Liquid drags bodies along, at most to its own speed, and then follows what they have: were it to follow what they
+    // had, the two would swap their speeds in each step.
+    void rub() {
+        std::ranges::stable_sort(t_.rubs, {}, &Rub::body);
+        for (std::size_t first = 0, last = 0; first < t_.rubs.size(); first = last) {
+            while (last < t_.rubs.size() && t_.rubs[last].body == t_.rubs[first].body) ++last;
+            const std::span<const Rub> rubs(&t_.rubs[first], last - first);
+            Body& b = world_.bodies.rows[rubs[0].body];
+            if (b.kind == BodyKind::dynamic && b.awake) drag(b, t_.drags[rubs[0].body], rubs);
+            for (const Rub& rub : rubs) t_.faces[rub.face].wanted += rub.firm * speed_at(b, rub);
+        }
+    }
+
+    float speed_at(const Body& b, const Rub& rub) const { // of the body, as it will be
+        const Drag& drag = t_.drags[rub.body];
+        return (sideways_ ? b.velocity.x : b.velocity.y) + (sideways_ ? drag.x : drag.y) +
+               rub.arm * (b.spin + drag.spin);
+    }
+
+    void drag(Body& b, Drag& drag, std::span<const Rub> rubs) const {
+        const float mass_of_face = heaviest(water_) * g_.h * g_.h;
+        float push = 0.0f, mass = 0.0f, turn = 0.0f, inertia = 0.0f;
+        for (const Rub& rub : rubs) {
+            // no more of it is dragged along than rubbing reaches within the step
+            const float weight = mass_of_face * rub.firm / (1.0f + std::sqrt(rub.firm));
+            const float against = flow_[t_.faces[rub.face].at] - speed_at(b, rub);
+            push += weight * against, mass += weight;
+            turn += weight * against * rub.arm, inertia += weight * rub.arm * rub.arm;
+        }
+        const float force = push / (1.0f + mass * b.inv_mass), torque = turn / (1.0f + inertia * b.inv_inertia);
+        (sideways_ ? drag.x : drag.y) += b.inv_mass * force;
+        drag.spin += b.inv_inertia * torque;
+        b.force = clamped(b.force + force / dt_ * (sideways_ ? Vec2{1, 0} : Vec2{0, 1}), kMaxForce);
+        b.torque = clamped(b.torque + torque / dt_, kMaxForce);
     }
 
     void solve() { // conjugate gradients, led by the diagonal
@@ -155,33 +191,8 @@ private:
     Field& flow_;
     const Field& open_;
     std::ptrdiff_t beside_;
-    float per_viscosity_;
+    float dt_, per_viscosity_;
 };
-
-// What rubs on bodies drags them along, at most to its own speed.
-void drag_bodies(World& world, const Water& water, float dt) {
-    ThickScratch& t = water.scratch->thick;
-    std::ranges::stable_sort(t.rubs, {}, &Rub::body);
-    const float heavy = heaviest(water);
-    const float mass_of_face = heavy * water.grid.h * water.grid.h;
-    for (std::size_t first = 0, last = 0; first < t.rubs.size(); first = last) {
-        Body& b = world.bodies.rows[t.rubs[first].body];
-        Vec2 push, mass;
-        float turn = 0.0f, inertia = 0.0f;
-        for (last = first; last < t.rubs.size() && t.rubs[last].body == t.rubs[first].body; ++last) {
-            const Rub& rub = t.rubs[last];
-            const float weight = rub.firm * mass_of_face, arm = cross(rub.arm, rub.along);
-            push += (weight * rub.against) * rub.along;
-            mass += weight * rub.along;
-            turn += weight * rub.against * arm;
-            inertia += weight * arm * arm;
-        }
-        if (b.kind != BodyKind::dynamic || !b.awake) continue;
-        const Vec2 force{push.x / (1.0f + mass.x * b.inv_mass), push.y / (1.0f + mass.y * b.inv_mass)};
-        b.force = clamped(b.force + (1.0f / dt) * force, kMaxForce);
-        b.torque = clamped(b.torque + turn / (1.0f + inertia * b.inv_inertia) / dt, kMaxForce);
-    }
-}
 
 // ---- the surface's tension ---------------------------------------------------------------------------------------------
 
@@ -222,9 +233,8 @@ void thicken(World& world, Water& water, float dt) {
         s.thick.numbers.assign(static_cast<std::size_t>(water.grid.stride * (water.grid.ny + 2)), -1);
     }
     mean_of_liquids(water, &Liquid::viscosity, s.viscosity);
-    s.thick.rubs.clear();
+    s.thick.drags.assign(world.bodies.rows.size(), {});
     for (bool sideways : {true, false}) Thickening(world, water, sideways, dt).run();
-    drag_bodies(world, water, dt);
 }
 
 void stretch_skin(Water& water, float dt) {
