@@ -31,7 +31,7 @@ struct Turn {
     bool walkable(Vec2 normal) const { return dot(normal, up) >= steepest; }
 };
 
-float toward(float value, float goal, float most) { return value + std::clamp(goal - value, -most, most); }
+float toward(float value, float goal, float most) { return value + clamped(goal - value, most); }
 
 // The direction along the ground to the right.
 Vec2 along_ground(const Turn& t) { return t.c.grounded ? right_of(t.c.ground_normal) : t.right; }

@@ -85,7 +85,7 @@ void pour(Smoke& smoke, const Source& s, const Place& place, float dt) {
             cell.density *= left, cell.fuel *= left;
             for (std::size_t k = 0; coloured && k < 3; ++k) views.colour[4 * at + k] *= left;
         }
-        const float more = std::clamp(share * s.rate * dt, 0.0f, kMostDensity - cell.density);
+        const float more = std::min(std::max(share * s.rate * dt, 0.0f), kMostDensity - cell.density);
         cell.density += more;
         cell.fuel = std::min(cell.fuel + share * s.fuel * dt, kMostDensity);
         if (s.temperature != 0.0f) {

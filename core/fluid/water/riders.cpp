@@ -71,7 +71,7 @@ void add_head(const World& world, Water& water, const Reach& reach, int i, int j
     const float head = g.h * s.mass[reach.at] * dot(world.gravity, surface_near(water, i, j, reach.body));
     const float displaced = heaviest(water) * kRound * b.inertia / b.mass,
                 share = b.mass / (b.mass + kBuoy * displaced);
-    const float push = share * heaviest(water) * g.h * std::clamp(head, -most, most);
+    const float push = share * heaviest(water) * g.h * clamped(head, most);
     Loop& loop = s.loops[reach.body];
     loop.lift += push * Vec2{reach.x, reach.y};
     loop.turn += push * reach.turn;
