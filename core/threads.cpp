@@ -75,14 +75,15 @@ private:
 };
 
 struct Threads::Crew {
-    std::vector<Share> shares; // the caller's, then those of the members
-    alignas(64) std::atomic<std::uint64_t> job{0};
-    alignas(64) std::atomic<std::size_t> done{0};
+    std::vector<Share> shares;                     // the caller's, then those of the members
+    alignas(64) std::atomic<std::uint64_t> job{0}; // a line of the cache that all read, and one that all write
     std::size_t count = 0, grain = 1, chunks = 0;
     Chunk chunk = nullptr;
     void* work = nullptr;
+    alignas(64) std::atomic<std::size_t> done{0};
 
-    std::atomic<bool> awake{false}, over{false};
+    alignas(64) std::atomic<bool> awake{false};
+    std::atomic<bool> over{false};
     std::mutex door;
     std::condition_variable bell;
     std::vector<std::thread> members;
@@ -100,17 +101,21 @@ struct Threads::Crew {
         for (std::thread& member : members) member.join();
     }
 
-    void work_on_share(std::size_t share, bool own) {
-        for (std::size_t number; shares[share].take(own, number);) {
+    std::size_t work_on_share(std::size_t share, bool own) {
+        std::size_t did = 0;
+        for (std::size_t number; shares[share].take(own, number); ++did) {
             std::size_t first = number * grain;
             chunk(work, first, std::min(count, first + grain));
-            done.fetch_add(1, std::memory_order_acq_rel);
         }
+        return did;
     }
 
+    // What it did is told at the end and at once: the others look at that line, too.
     void work_on(std::size_t me) {
-        work_on_share(me, true);
-        for (std::size_t next = 1; next < shares.size(); ++next) work_on_share((me + next) % shares.size(), false);
+        std::size_t did = work_on_share(me, true);
+        for (std::size_t next = 1; next < shares.size(); ++next)
+            did += work_on_share((me + next) % shares.size(), false);
+        if (did > 0) done.fetch_add(did, std::memory_order_acq_rel);
     }
 
     void serve(std::size_t me) {
