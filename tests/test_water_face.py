@@ -413,3 +413,29 @@ def test_a_water_that_is_gone_says_so_and_takes_all_with_it() -> None:
     again = world.add_water((0, 0, 1, 1))
     assert again != water
     assert not water.alive
+
+
+@pytest.mark.parametrize("options", [{}, {"velocity": (0, -3)}, {"velocity": (0.5, -2.4)}])
+def test_what_is_poured_falls_as_one_jet_at_its_rate(options: dict[str, Any]) -> None:
+    world = evil.World()
+    water = world.add_water((-2, -8, 2, 2), particle_size=0.08, open_sides="bottom")
+    stream = water.pour((0, 1), rate=0.7, **options)
+    for _ in range(45):
+        world.step()
+    assert water.volume == pytest.approx(0.7 * 0.75, abs=0.02)
+    for _ in range(75):
+        world.step()
+        heights = np.sort(np.asarray(water.positions)[:, 1])
+        assert np.diff(heights[heights > -0.5]).max() < 1.8 * water.particle_size
+    if not options:
+        assert stream.velocity == evil.Vec2(0, -2.5)
+
+
+def test_a_stream_without_gravity_and_one_on_a_body_are_given_no_speed() -> None:
+    world = evil.World(gravity=(0, 0))
+    water = world.add_water((0, 0, 4, 4))
+    assert water.pour((2, 2), 0.5).velocity == evil.Vec2(0, 0)
+    world.gravity = (3, 0)
+    assert water.pour((2, 2), 0.5).velocity == evil.Vec2(2.5, 0)
+    can = world.add(evil.Circle(0.1), at=(1, 1))
+    assert water.pour((0, 0), 0.5, body=can).velocity == evil.Vec2(0, 0)

@@ -3,13 +3,16 @@
 #include "fluid/water/box.hpp"
 #include "fluid/water/scratch.hpp"
 #include <algorithm>
+#include <cmath>
 
 namespace evil::fluid {
 namespace {
 
 constexpr float kApart = 0.75f; // of a particle: new ones keep so far from others, or the pressure would throw them off
+constexpr float kInJet = 0.6f;  // and in a jet, which lies as it should
 constexpr float kBank = 0.125f; // cells: and so far from bodies
-constexpr int kTries = 3;       // spots that are looked at for each particle that is due
+constexpr float kWholly = 1.001f;   // times what an area lets through: as much as that, as numbers are rounded
+constexpr int kTries = 3;           // spots that are looked at for each particle that is due
 constexpr float kMostDue = 4096.0f; // particles of one stream in a step: a torrent may not hold up the frame
 
 // The n-th of a row of points that fill a unit cube evenly wherever the row is cut: multiples of the powers of the root
@@ -97,9 +100,59 @@ void put(Water& water, Vec2 at, Vec2 velocity, std::uint32_t liquid) {
     p.liquid[k] = static_cast<std::uint8_t>(liquid);
 }
 
+struct Pouring { // a stream as it pours within a step
+    const World& world;
+    Water& water;
+    Stream& stream;
+    Box box; // of its area, as far as it is in the water
+    float dt;
+};
+
+// Puts a particle there, moving on for `late` seconds, if there is room for it.
+bool put_if_free(const Pouring& p, Neighbours& near, Vec2 inside, float late, float apart) {
+    const Stream& s = p.stream;
+    const Pose pose = pose_of(s, p.world);
+    if (!contains(s.area, inside)) return false;
+    const Vec2 at = transform(pose, inside + late * s.velocity);
+    if (!near.reaches(at) || in_the_way(p.water, at) || near.any_within(at, apart * p.water.particle_size))
+        return false;
+    if (!make_room(p.water, p.water.count + 1)) return false;
+    Vec2 velocity = s.velocity;
+    if (s.body != kNone) {
+        const Body& b = p.world.bodies.rows[s.body];
+        velocity = rotate(b.pose.q, velocity) + velocity_at(b, at);
+    }
+    put(p.water, at, {clamped(velocity.x, kMostSwim), clamped(velocity.y, kMostSwim)}, s.liquid);
+    near.note(at);
+    return true;
+}
+
+// A jet: one after the other from a line across the middle of the area, which is so long that the jet is as full as what
+// is at rest. Multiples of the golden section lie evenly on it, and with their times in the jet.
+void pour_jet(const Pouring& p, Neighbours& near, float wide) {
+    Stream& s = p.stream;
+    const float size = p.water.particle_size, each = s.rate / (size * size);
+    const Vec2 across = wide * left_of(normalised(s.velocity)), middle = 0.5f * (p.box.low + p.box.high);
+    for (int tries = kTries * static_cast<int>(s.due); tries > 0 && s.due >= 1.0f; --tries) {
+        const float part = static_cast<float>((s.poured++ * 0x9e3779b97f4a7c15u) >> 40) * 0x1p-24f;
+        const float late = std::min((s.due - 1.0f) / each, p.dt);
+        if (put_if_free(p, near, middle + (part - 0.5f) * across, late, kInJet)) s.due -= 1.0f;
+    }
+}
+
+// What is too slow to leave its area as it comes, or to stay together as it falls: wherever there is room in it.
+void pour_anywhere(const Pouring& p, Neighbours& near) {
+    Stream& s = p.stream;
+    const Vec2 extent = p.box.high - p.box.low;
+    for (int tries = kTries * static_cast<int>(s.due); tries > 0 && s.due >= 1.0f; --tries) {
+        const Spot where = spot(s.poured++);
+        const Vec2 inside = p.box.low + Vec2{where.x * extent.x, where.y * extent.y};
+        if (put_if_free(p, near, inside, where.late * p.dt, kApart)) s.due -= 1.0f;
+    }
+}
+
 void pour(const World& world, Water& water, Stream& s, float dt) {
     const float size = water.particle_size;
-    const Pose pose = pose_of(s, world);
     Box box = box_of(s.area);
     if (s.body == kNone) {
         const Grid& g = water.grid;
@@ -111,27 +164,18 @@ void pour(const World& world, Water& water, Stream& s, float dt) {
     const float most = std::min(1.0f + extent.x * extent.y / (size * size), kMostDue);
     s.due = std::min(s.due + s.rate * dt / (size * size), most);
     if (s.due < 1.0f) return;
-    Box round = turned(box, pose);
-    const Vec2 reach = dt * s.velocity;
-    const float drift = length(reach); // those that are under way already are so far out of the area
+    Box round = turned(box, pose_of(s, world));
+    const float speed = length(s.velocity), drift = dt * speed; // those that are under way already are so far out of it
     round.low = round.low - Vec2{drift, drift}, round.high = round.high + Vec2{drift, drift};
     Neighbours near(water.scratch->pouring, water, round);
-    for (int tries = kTries * static_cast<int>(s.due); tries > 0 && s.due >= 1.0f; --tries) {
-        const Spot where = spot(s.poured++);
-        const Vec2 inside = box.low + Vec2{where.x * extent.x, where.y * extent.y};
-        if (!contains(s.area, inside)) continue;
-        const Vec2 at = transform(pose, inside + where.late * reach);
-        if (!near.reaches(at) || in_the_way(water, at) || near.any_within(at, kApart * size)) continue;
-        if (!make_room(water, water.count + 1)) break;
-        Vec2 velocity = s.velocity;
-        if (s.body != kNone) {
-            const Body& b = world.bodies.rows[s.body];
-            velocity = rotate(b.pose.q, velocity) + velocity_at(b, at);
-        }
-        put(water, at, {clamped(velocity.x, kMostSwim), clamped(velocity.y, kMostSwim)}, s.liquid);
-        near.note(at);
-        s.due -= 1.0f;
-    }
+    const Pouring pouring{world, water, s, box, dt};
+    const Vec2 across = left_of(normalised(s.velocity));
+    const float room = std::fabs(across.x) * extent.x + std::fabs(across.y) * extent.y;
+    const float wide = s.rate / std::max(speed, 1e-6f);
+    if (wide <= kWholly * room && speed * speed >= wide * length(world.gravity))
+        pour_jet(pouring, near, std::min(wide, room));
+    else
+        pour_anywhere(pouring, near);
 }
 
 // Takes out those of a rising row; the others keep their order.

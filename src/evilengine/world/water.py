@@ -14,7 +14,8 @@ from evilengine.values.vec2 import Point, Vec2
 from evilengine.world.arguments import place
 from evilengine.world.character import Area, to_area
 from evilengine.world.liquid import BLUE, MOST_LIQUIDS, Liquid, made_of, of_first
-from evilengine.world.shapes import Circle, Rectangle, ShapeDefinition
+from evilengine.world.pouring import NARROWEST, draining, falling, pouring, shape_of
+from evilengine.world.shapes import Circle, ShapeDefinition
 from evilengine.world.smoke import LEAST_CELLS, MOST_CELLS, SIDES, flow, one_or_all, sides, stirring
 from evilengine.world.smoke import Fluids as Fluids
 
@@ -27,9 +28,6 @@ CELL = 2
 
 MOST_PARTICLES: int = _core.MOST_PARTICLES
 """Of one water. Streams pour no more then, and `fill` refuses an area that would not fit."""
-
-NARROWEST = 2.0
-"""Particles: half the width of a stream that says nothing of it."""
 
 
 class Stream(_core.WaterStream):
@@ -164,7 +162,7 @@ class Water(_core.Water):
         self,
         at: Point,
         rate: float,
-        velocity: Point = (0.0, 0.0),
+        velocity: Point | None = None,
         *,
         radius: float | None = None,
         shape: ShapeDefinition | None = None,
@@ -174,8 +172,8 @@ class Water(_core.Water):
     ) -> Stream:
         """Let liquid come out of a circle of `radius`, or any shape with an inside, `at` a place; returns its handle.
 
-        `rate` is square metres a second, `velocity` (m/s) how it comes out. Unless said, the circle is as wide as the
-        liquid needs at that speed. With a `body`, place and velocity are in that body's frame and go with it. What
+        `rate` is square metres a second, `velocity` (m/s) how it comes out; it falls out unless said. The circle is as
+        wide as the liquid needs at that speed. With a `body`, place and velocity are in that body's frame. What
         finds no room between bodies and liquid does not come: in a full box, or inside a solid, nothing does.
 
         >>> world = evil.World(); water = world.add_water((0, 0, 4, 3), particle_size=0.1)
@@ -187,7 +185,9 @@ class Water(_core.Water):
         >>> tap.running = False; tap.destroy()
         """
         me = "Water.pour"
-        amount, wanted = pouring(rate, me, "rate"), flow(velocity, me, "velocity")
+        amount = pouring(rate, me, "rate")
+        falls = falling(self._world.gravity, carried=body is not None)
+        wanted = falls if velocity is None else flow(velocity, me, "velocity")
         index, carrier = self._index_of(liquid, me), self._carrier(body, me)
         if shape is not None and radius is not None:
             raise ArgumentError(f"{me}: give either a shape or radius=, the radius of a circle in metres")
@@ -222,7 +222,7 @@ class Water(_core.Water):
         """
         me = "Water.drain"
         carrier, amount = self._carrier(body, me), draining(rate, me, "rate")
-        shape, middle, turn = _shape_of(area, at, angle, me)
+        shape, middle, turn = shape_of(area, at, angle, me)
         return self._add_stream(shape, middle, turn, -amount, Vec2(0.0, 0.0), carrier, 0)
 
     @known_keywords
@@ -326,12 +326,12 @@ class Water(_core.Water):
         """A shape with its place and its bounds, as far as they are in this water; None where nothing of it is."""
         mine = self.area
         if isinstance(area, ShapeDefinition):
-            return (*_shape_of(area, at, angle, me), mine)
+            return (*shape_of(area, at, angle, me), mine)
         left, bottom, right, top = to_area(area, me)
         box = (max(left, mine[0]), max(bottom, mine[1]), min(right, mine[2]), min(top, mine[3]))
         if not (box[0] < box[2] and box[1] < box[3]):
             return None
-        return (*_shape_of(box, at, angle, me), box)
+        return (*shape_of(box, at, angle, me), box)
 
     def _add_stream(
         self, shape: ShapeDefinition, at: Vec2, angle: float, rate: float, velocity: Vec2, body: int, liquid: int
@@ -424,26 +424,3 @@ class Waters(Fluids):
 def liquids_of(world: Waters) -> Iterator[Liquid]:
     """Those of all its waters."""
     return (liquid for water in world.waters for liquid in water.liquids)
-
-
-def pouring(rate: float, me: str, argument: str) -> float:
-    """Square metres a second that a stream pours."""
-    return number(rate, me, argument, least=0.0, most=1e5)
-
-
-def draining(rate: float, me: str, argument: str) -> float:
-    """And those that it drains, at most."""
-    return _core.MOST_POURING if rate == math.inf else number(rate, me, argument, above=0.0, most=1e5)
-
-
-def _shape_of(
-    area: Iterable[float] | ShapeDefinition, at: Point, angle: float, me: str
-) -> tuple[ShapeDefinition, Vec2, float]:
-    """A shape where it says, or a box as one."""
-    middle, turn = place(at, me), number(angle, me, "angle")
-    if isinstance(area, ShapeDefinition):
-        return area, middle, turn
-    if middle != (0.0, 0.0) or turn != 0.0:
-        raise ArgumentError(f"{me}: at= and angle= are for shapes; area={area!r} is a box and says where it is")
-    left, bottom, right, top = to_area(area, me)
-    return Rectangle(right - left, top - bottom), Vec2((left + right) / 2, (bottom + top) / 2), 0.0
