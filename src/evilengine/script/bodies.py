@@ -15,7 +15,7 @@ from evilengine.script.shaping import Settings, ShapeBuilder
 from evilengine.script.syntax import Expression, Identifier, Literal, New, Setting, Spot, Text
 from evilengine.script.waters import FILLING, LIQUID, WATERS
 from evilengine.script.word import MOST_COLUMNS, PLACE, Property, Range, plain
-from evilengine.script.words import KINDS, has, kind_called, property_of
+from evilengine.script.words import KINDS, ONLY, has, kind_called, property_of
 from evilengine.values import level as values
 from evilengine.values.level import (
     Area,
@@ -218,7 +218,7 @@ class ThingBuilder(ShapeBuilder):
     def _corner_conflicts(self, statement: New, settings: Settings) -> None:
         """Only a rectangle has borders, and a colour is for each corner."""
         kind = KINDS[statement.kind or ""]
-        if "slice" in settings and kind.word != "rectangle":
+        if "slice" in settings and kind.word not in ONLY["slice"]:
             self.error("wrong-property", f"{has(kind.word)} no borders to slice", settings["slice"][0].place,
                        "slice is for rectangle")  # fmt: skip
         if "colours" not in settings:
@@ -226,7 +226,7 @@ class ThingBuilder(ShapeBuilder):
         setting = settings["colours"][0]
         self._exclude(settings, "colour", "colours")
         corners = 4 if kind.word == "rectangle" else len(statement.corners)
-        if kind.open or not corners:
+        if kind.word not in ONLY["colours"]:
             self.error("wrong-property", f"{has(kind.word)} no corners to colour", setting.place, "say: colour")
         elif len(setting.values) != corners and not statement.broken:
             message = f"this {kind.word} has {corners} corners, but {len(setting.values)} colours"

@@ -77,7 +77,7 @@ def reference() -> str:
     parts.append("## What `new` makes\n")
     parts += [_kind(kind) for kind in KINDS.values()]
     parts.append(
-        "## Properties\n\n`set` can change those that are marked; the last column is the keyword or attribute of that name in Python.\n"
+        "## Properties\n\n`set` can change those that are marked; the last column is what Python calls them.\n"
     )
     parts.append("### Of things\n\n" + _table(properties_of("body")))
     parts.append("### Of characters\n\n" + _table(properties_of("character")))

@@ -6,7 +6,7 @@ from evilengine.script.arithmetic import formula
 from evilengine.script.checker import Checker, fixed_points
 from evilengine.script.syntax import Expression, Identifier, New, Setting, Spot, Text
 from evilengine.script.word import Kind, Property, Size, plain
-from evilengine.script.words import KINDS, has, takes
+from evilengine.script.words import KINDS, ONLY, has, takes
 from evilengine.values.errors import ShapeError
 from evilengine.values.level import Corners, Formula, Holes, Let, Make, Name, Number, Option, Pair, Place
 from evilengine.world.shapes import Polygon
@@ -52,7 +52,7 @@ class ShapeBuilder(Checker):
 
     def _refuse_foreign(self, kind: Kind, settings: Settings) -> None:
         for word, (setting, entry) in settings.items():
-            if not takes(kind, entry):
+            if word not in ONLY and not takes(kind, entry):
                 owners = ", ".join(each.word for each in KINDS.values() if word in each.shaped)
                 self.error("wrong-property", f"{has(kind.word)} no {word}", setting.place, f"it is for {owners}")
 

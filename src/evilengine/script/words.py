@@ -19,6 +19,8 @@ from evilengine.script.word import Kind, Property, Word
 
 DRAWN = ("rectangle", "circle", "triangle", "polygon", "capsule", "segment", "chain")
 """The kinds that `draw` knows."""
+ONLY = {"slice": ("rectangle",), "colours": ("rectangle", "triangle", "polygon")}
+"""Looks that only some kinds have."""
 PROPERTY_WORDS = frozenset(word for each in PROPERTIES for word in (each.word, *each.spellings))
 JOINING_WORDS = frozenset({"times", "as", "else", "and", "or", "not"})
 EVENT_NAMES = frozenset({"this", "other"})
@@ -80,7 +82,7 @@ def has(word: str, verb: str = "has") -> str:
 
 def takes(kind: Kind, entry: Property) -> bool:
     """Whether a property of its family is one of this kind's."""
-    return entry.part != "shape" or entry.word in kind.shaped
+    return kind.word in ONLY[entry.word] if entry.word in ONLY else entry.part != "shape" or entry.word in kind.shaped
 
 
 def placed(kind: Kind) -> bool:
@@ -141,7 +143,7 @@ def near_change(wrong: str, family: str) -> str | None:
 
 __all__ = [
     "ARITY", "CHARACTER_EVENTS", "DRAWN", "EVENTS", "EVENT_MEANT", "EVENT_NAMES", "FUNCTIONS", "JOINING_WORDS", "KINDS",
-    "MEETINGS", "PROPERTIES", "PROPERTY_WORDS", "RESERVED", "STATEMENTS", "changes_of", "has", "kind_called",
+    "MEETINGS", "ONLY", "PROPERTIES", "PROPERTY_WORDS", "RESERVED", "STATEMENTS", "changes_of", "has", "kind_called",
     "meant_for", "near", "near_change", "near_kind", "near_property", "near_statement", "placed", "properties_of",
     "property_of", "some", "takes",
 ]  # fmt: skip
