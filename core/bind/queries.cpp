@@ -84,6 +84,8 @@ Hits* cast_rays(World& w, nb::handle owner, nb::handle starts, nb::handle ends, 
     auto hits = std::make_unique<Hits>(nb::borrow(owner), n);
     Meanwhile others(n >= kManyQuestions);
     Scene scene = w.scene();
+    std::optional<Threads::Shift> shift;
+    if (n >= kManyQuestions) shift.emplace(w.threads);
     parallel_for(w.threads, n, 256, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             std::optional<RayHit> hit = ray_cast(scene, s.at(i), e.at(i), asked.filter);
