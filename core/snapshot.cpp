@@ -259,6 +259,23 @@ void rebuild_pieces(SavedState& s) {
     }
 }
 
+// Farther than a world's edge and its largest shapes lead: a grid over what lies there could not number its cells.
+bool within_reach(const SavedState& s) {
+    auto near = [](float x, float y, float size) {
+        constexpr float kFarthest = 1e12f; // metres
+        return std::abs(x) <= kFarthest && std::abs(y) <= kFarthest && std::abs(size) <= kFarthest;
+    };
+    for (std::uint32_t i = 0; i < s.body_taken.size(); ++i) {
+        const Body& b = s.bodies.rows[i];
+        if (s.body_taken[i] && !(near(b.pose.p.x, b.pose.p.y, 0.0f) && near(b.centre.x, b.centre.y, 0.0f))) return false;
+    }
+    for (std::uint32_t i = 0; i < s.piece_taken.size(); ++i) {
+        const Piece& piece = s.shapes.pieces[i];
+        if (s.piece_taken[i] && !near(piece.centre.x, piece.centre.y, piece.reach)) return false;
+    }
+    return true;
+}
+
 // ---- references across a restore -----------------------------------------------------------------------------
 
 // The same object: created as the same one in order, at the same step, from the same words.
@@ -390,6 +407,7 @@ ReadSnapshot read_snapshot(std::span<const std::uint8_t> bytes) {
                  hold_together(state->characters, state->body_taken) && hold_together(state->fluids, state->body_taken);
     if (!whole) return {nullptr, SnapshotProblem::inconsistent};
     rebuild_pieces(*state);
+    if (!within_reach(*state)) return {nullptr, SnapshotProblem::inconsistent};
     for (std::uint32_t body = 0; body < state->body_taken.size(); ++body)
         if (state->body_taken[body]) note_neighbours(state->shapes, state->bodies.rows[body]);
     for (Contact& c : state->contacts.rows) {
