@@ -178,3 +178,19 @@ def test_a_sleeping_body_wakes_when_water_comes() -> None:
         world.step(DT)
     assert crate.awake
     assert crate.position.y > 0.35
+
+
+def test_a_heap_of_light_bodies_on_water_presses_none_of_it_away() -> None:
+    world, water = tank(7, 6)
+    for shape, at in (
+        (evil.Rectangle(9, 1), (3.5, -0.5)),
+        (evil.Rectangle(1, 10), (-0.5, 4)),
+        (evil.Rectangle(1, 10), (7.5, 4)),
+    ):
+        world.add(shape, at=at, kind="static")
+    for k in range(100):
+        shape = evil.Rectangle(0.3, 0.3) if k % 2 else evil.Circle(0.15)
+        world.add(shape, at=(0.3 + 0.345 * (k % 19), 2.1 + 0.35 * (k // 19)), density=0.3 + 0.1 * (k % 6))
+    water.fill((0, 0, 7, 1.8))
+    watch(world, water, 150)
+    assert np.asarray(water.positions)[:, 1].mean() > 0.85  # it fills 1.8 m

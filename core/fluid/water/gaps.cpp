@@ -16,12 +16,13 @@ constexpr int kMostRoomy = 4;   // cells that are neither narrow nor in a slot: 
 
 class Gaps {
 public:
-    Gaps(const World& world, Water& water) : water_(water), s_(*water.scratch), g_(water.grid), finder_(world, water) {}
+    Gaps(const World& world, Water& water)
+        : bodies_(world.bodies.rows), water_(water), s_(*water.scratch), g_(water.grid), finder_(world, water) {}
 
     // All dry cells that hang together with this one.
     void look_at(std::ptrdiff_t at) {
         if (!is_dry(at) || met(at) != 0) return;
-        ++turn_, roomy_ = 0, airy_ = between_ = false, side_ = 0.0f;
+        ++turn_, roomy_ = 0, airy_ = between_ = several_ = false, side_ = swims_ = 0.0f;
         s_.gap.clear();
         meet(at);
         for (std::size_t k = 0; k < s_.gap.size() && !airy_; ++k)
@@ -59,6 +60,9 @@ private:
             if (owner == 0.0f) continue;
             between_ = between_ || (side_ != 0.0f && side_ != owner);
             side_ = owner;
+            if (bodies_[static_cast<std::size_t>(owner) - 1].kind != BodyKind::dynamic) continue;
+            several_ = several_ || (swims_ != 0.0f && swims_ != owner);
+            swims_ = owner;
         }
         const int i = column_of(at), j = row_of(at); // the sides of the box are no body's, but stand there too
         between_ = between_ || i == 0 || j == 0 || i == g_.nx - 1 || j == g_.ny - 1;
@@ -100,10 +104,11 @@ private:
             }
         for (const GapCell& cell : s_.gap) {
             s_.rho[cell.at] = kFullOfFilm;
-            s_.film_cells.push_back(cell.at);
+            if (!several_) s_.film_cells.push_back(cell.at);
         }
     }
 
+    const std::vector<Body>& bodies_;
     const Water& water_;
     WaterScratch& s_;
     const Grid& g_;
@@ -113,6 +118,8 @@ private:
     bool airy_ = false;    // does it open to air?
     bool between_ = false; // do two stand round it?
     float side_ = 0.0f;    // the owner of one
+    float swims_ = 0.0f;   // of one that liquid moves
+    bool several_ = false; // are there two of these?
 };
 
 template <class Visit> void each_cell(const Water& water, const std::vector<Tile>& tiles, Visit visit) { // near bodies
@@ -160,6 +167,7 @@ void find_gaps(const World& world, Water& water) {
         if (s.rho[at] != kFullOfFilm) s.wet[at] = 1.0f;
 }
 
+// Between two that swim it is they that give way.
 void still_films(Water& water) {
     WaterScratch& s = *water.scratch;
     for (std::ptrdiff_t at : s.film_cells) s.u[at] = s.u[at + 1] = s.v[at] = s.v[at + water.grid.stride] = 0.0f;

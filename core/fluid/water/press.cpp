@@ -11,6 +11,7 @@ constexpr float kSilent = 1e-6f;   // m/s: what may be left in each cell whateve
 constexpr float kGives = 1.5f; // faces by which a pocket grows that a body moves: less is how cells see one that swims
 constexpr float kGivesAll =
     0.25f; // of what it gives to each: less is how cells see one that moves from pocket to pocket
+constexpr float kHopeless = 1e3f;    // times what was asked for: what is left on the way to a solution is not as much
 constexpr float kCoarseDrain = 0.5f; // air is twice as far, on a level twice as coarse
 
 void clear_tiles(PressLevel& level) {
@@ -277,7 +278,7 @@ int Press::solve(const Field& b, Field& p, const Riders& riders, float tolerance
         left = EVIL_PICK(set, press_advance)(view, static_cast<float>(double(now) / energy), search_.data(),
                                              image_.data(), p.data());
     }
-    if (left > asked) // there is none that would do, as in liquid that is shut in and squeezed
+    if (left > kHopeless * asked) // there is none that would do, as in liquid that is shut in and squeezed
         for (const Tile& tile : fine.tiles) std::fill_n(p.data() + tile.at, 8, 0.0f);
     return round;
 }
