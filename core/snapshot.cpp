@@ -267,7 +267,8 @@ bool within_reach(const SavedState& s) {
     };
     for (std::uint32_t i = 0; i < s.body_taken.size(); ++i) {
         const Body& b = s.bodies.rows[i];
-        if (s.body_taken[i] && !(near(b.pose.p.x, b.pose.p.y, 0.0f) && near(b.centre.x, b.centre.y, 0.0f))) return false;
+        if (s.body_taken[i] && !(near(b.pose.p.x, b.pose.p.y, 0.0f) && near(b.centre.x, b.centre.y, 0.0f)))
+            return false;
     }
     for (std::uint32_t i = 0; i < s.piece_taken.size(); ++i) {
         const Piece& piece = s.shapes.pieces[i];
