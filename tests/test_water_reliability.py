@@ -82,7 +82,7 @@ def test_a_body_in_a_sealed_box_that_is_squeezed(speed: float) -> None:
     water.fill((0, 0, 2, 2))
     world.add(evil.Circle(0.5), at=(1, 1), density=0.5)  # where water was, too
     world.add(evil.Rectangle(3, 1), at=(1, 2.6), kind="kinematic", velocity=(0, -speed))
-    assert watch(world, water, 120) < 500  # it is chaos, of tens to hundreds of metres a second; it was up to 12,000
+    assert watch(world, water, 120) < 50  # it shot off at thousands of metres a second
 
 
 def test_bodies_jammed_in_a_corner() -> None:
@@ -94,7 +94,7 @@ def test_bodies_jammed_in_a_corner() -> None:
         world.add(shape, at=(0.3 + 0.3 * (k % 4), 0.3 + 0.35 * (k // 4)), density=0.3 + 0.3 * (k % 5))
     world.add(evil.Rectangle(1, 4), at=(2.6, 1.5), kind="kinematic", velocity=(-0.8, 0))
     water.fill((0, 0, 3, 1.5))
-    assert watch(world, water, 120) < 100
+    assert watch(world, water, 120) < 80
 
 
 @pytest.mark.parametrize("cells", [2, 3, 5, 17])

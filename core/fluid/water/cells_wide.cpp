@@ -113,8 +113,9 @@ void flow_by_pressure(const CellsView& c, const Tile* tiles, std::size_t count, 
                 there.wet * (Floats(1.0f) - here.wet) * other_above * per_distance(there.rho, here.rho);
             const Floats within = here.wet * there.wet * ease(here.mass, there.mass) * (pressure - other_pressure);
             const Floats before = load(flow + at);
-            const Floats lost = clamp(within + (outward - inward), -most, most);
-            store(flow + at, select(load(open + at) > 0.0f, before - lost, before));
+            const Floats bound = max(max(before, -before), most);
+            const Floats after = clamp(before - (within + (outward - inward)), -bound, bound);
+            store(flow + at, select(load(open + at) > 0.0f, after, before));
         };
         lose(c.across, u, at - 1);
         lose(c.up, v, at - c.stride);

@@ -44,7 +44,7 @@ EVIL_WIDE(void weigh_cells(const fluid::CellsView& cells, const fluid::Tile* til
 // What flows into each cell.
 EVIL_WIDE(void find_inflow_of(const fluid::CellsView& cells, const fluid::Tile* tiles, std::size_t count,
                               const float* u, const float* v, float* inflow) noexcept;)
-// u and v lose the pressure's gradient, at most so much each.
+// u and v lose the pressure's gradient, which brings them to no more than `most`, or than they were.
 EVIL_WIDE(void flow_by_pressure(const fluid::CellsView& cells, const fluid::Tile* tiles, std::size_t count,
                                 const float* p, float most, float* u, float* v) noexcept;)
 // Faces in the air beside those of liquid move as these do: else what is on top would fall into what is below.

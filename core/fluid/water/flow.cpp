@@ -171,7 +171,7 @@ void press_flow(World& world, Water& water, float dt) {
     find_riders(world, water, dt);
     s.rounds = s.press.solve(s.inflow, water.pressure, {s.riders, s.reaches}, kTolerance, kMostRounds, set);
     EVIL_PICK(set, flow_by_pressure)(cells, active.data(), active.size(), water.pressure.data(),
-                                     most_kick(world, water, dt), s.u.data(), s.v.data());
+                                     most_flow(world, water, dt), s.u.data(), s.v.data());
     EVIL_PICK(set, extend_flow)(cells, active.data(), active.size(), s.u.data(), s.v.data());
     push_riders(world, water, dt);
     drop_skin(water);

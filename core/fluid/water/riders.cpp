@@ -110,26 +110,36 @@ void find_riders(const World& world, Water& water, float dt) {
     }
 }
 
-// Liquid that is shut in and squeezed has nowhere to go, and what little gives way to it would be shot off. So no pressure
-// does more than stop the fastest, let it fall through the box, or press it out beside a body that is wider than the gap.
-float most_kick(const World& world, const Water& water, float dt) {
+// Liquid that is shut in and squeezed has nowhere to go, and what little gives way to it would be shot off. So pressure makes
+// nothing faster than the fastest is, than a fall through the box, or than what a body wider than the gap beside it presses
+// out. Added up, the two would drive each other on, liquid the body and the body the liquid.
+float most_flow(const World& world, const Water& water, float dt) {
     const WaterScratch& s = *water.scratch;
     const Grid& g = water.grid;
-    float fastest = 0.0f;
+    const float fall = std::sqrt(2.0f * length(world.gravity) * g.h * static_cast<float>(g.nx + g.ny));
+    float fastest = std::max({s.swarm.fastest, fall, g.h / dt});
     for (const Rider& rider : s.riders) {
         const Patch& p = s.loops[rider.body].patch;
         const float wide = 0.5f * g.h * static_cast<float>(std::max(p.right - p.left, p.high - p.low));
         const float speed = length(rider.velocity) + std::abs(rider.spin) * wide;
         fastest = std::max(fastest, rider.free ? speed : kSqueezed * speed);
     }
-    const float fall = std::sqrt(2.0f * length(world.gravity) * g.h * static_cast<float>(g.nx + g.ny));
-    return s.swarm.fastest + fastest + fall + g.h / dt;
+    return fastest;
+}
+
+// The force that the pressure puts on a body: it too is made no faster than that, or than it is.
+Vec2 within_reason(Vec2 force, const Body& b, float most, float dt) {
+    auto along = [&](float push, float speed) {
+        const float bound = std::max(std::abs(speed), most), change = push / b.mass * dt;
+        return clamped((clamped(speed + change, bound) - speed) / dt, kMostPush) * b.mass;
+    };
+    return {along(force.x, b.velocity.x), along(force.y, b.velocity.y)};
 }
 
 void push_riders(World& world, Water& water, float dt) {
     WaterScratch& s = *water.scratch;
     const float per_push = heaviest(water) * water.grid.h * water.grid.h / dt;
-    const float most = std::min(kMostPush, most_kick(world, water, dt) / dt);
+    const float most = most_flow(world, water, dt);
     s.afloat.clear();
     for (const Rider& rider : s.riders) {
         Body& b = world.bodies.rows[rider.body];
@@ -137,7 +147,7 @@ void push_riders(World& world, Water& water, float dt) {
         const PushOf sum = push_of(rider, s.reaches, water.pressure.data());
         const Loop& loop = s.loops[rider.body];
         const Vec2 push{static_cast<float>(sum.x) * per_push, static_cast<float>(sum.y) * per_push};
-        const Vec2 force = clamped(push + loop.lift, most * b.mass);
+        const Vec2 force = within_reason(push + loop.lift, b, most, dt);
         const float torque = clamped(static_cast<float>(sum.turn) * per_push + loop.turn, kMostPush * b.inertia);
         const Afloat* last = remembered(water, rider.body, b);
         if (!b.awake) {

@@ -167,7 +167,7 @@ void drop_skin(Water& water);
 // riders.cpp: bodies in the pressure's equation.
 void find_riders(const World& world, Water& water, float dt);
 void push_riders(World& world, Water& water, float dt);
-float most_kick(const World& world, const Water& water, float dt); // m/s that the pressure may change a velocity by
+float most_flow(const World& world, const Water& water, float dt); // m/s that the pressure may bring a velocity to
 void add_films(const World& world, Water& water, float dt);        // films.cpp
 
 // drift.cpp: bodies that the cells do not see.
