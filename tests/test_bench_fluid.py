@@ -72,7 +72,9 @@ def test_a_peer_that_is_not_installed_is_said(
 ) -> None:
     monkeypatch.setitem(sys.modules, "taichi", None)
     assert main([*SHORT, "--threads", "1", "--peer", "Taichi"]) == 0
-    assert "left out: Taichi (" in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "left out: Taichi (" in said
+    assert "pip install 'evilengine[bench-fluid]'" in said
 
 
 def test_water_and_the_frame_of_a_game_are_timed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -107,8 +107,7 @@ def _draw(args: argparse.Namespace) -> int:
     first = {renderer: drawing.first_frame(renderer) for renderer in ("soft", "gl")}
     said = ", ".join(f"{name} {seconds:.2f}" for name, seconds in first.items())
     print(f"seconds from a process's start to a level's first frame: {said}")
-    if missing:
-        print(f"left out: {'; '.join(missing)}")
+    _tell_left_out(missing, "bench-draw")
     _write(target, {"machine": _machine(), "draw": rows, "first_frame": first, "left_out": missing})
     return 0
 
@@ -130,8 +129,7 @@ def _fluid(args: argparse.Namespace) -> int:
         sizes = gas.SIZES if args.size is None else (args.size,)
         rows, missing = gas.measure(sizes, plan, names, tell)
         print(gas.tables_of(rows))
-        if missing:
-            print(f"left out: {'; '.join(missing)}")
+        _tell_left_out(missing, "bench-fluid")
         numbers |= {"smoke": rows, "left_out": missing}
     if "water" in parts:
         counts = liquid.COUNTS if args.size is None else (args.size,)
@@ -142,6 +140,11 @@ def _fluid(args: argparse.Namespace) -> int:
         print(f"\n{liquid.said_of(one)}")
     _write(target, numbers)
     return 0
+
+
+def _tell_left_out(missing: list[str], extra: str) -> None:
+    if missing:
+        print(f"left out: {'; '.join(missing)}; pip install 'evilengine[{extra}]' brings who is not installed")
 
 
 def _target(name: str | None) -> Path | None:
