@@ -11,6 +11,7 @@ from evilengine.script.syntax import Block, Change, Expression, Identifier, New,
 from evilengine.script.word import Kind
 from evilengine.script.words import (
     DRAWN,
+    EVENT_NAMES,
     FUNCTIONS,
     KINDS,
     PROPERTY_WORDS,
@@ -181,8 +182,8 @@ class Things(Settings, ABC):
             self.unknown_function(self.advance())
             return None
         name_follows = after.kind in ("number", "(", "-", "+", ";", "}", "end") or (
-            after.kind == "name" and (after.text in RESERVED or after.text in FUNCTIONS or after.first)
-        )
+            after.kind == "name" and (after.text in RESERVED - EVENT_NAMES or after.text in FUNCTIONS or after.first)
+        )  # and neither `this` nor `other`: they are what a property such as `follows` is about
         if not name_follows and self.near_property(token.text, family):
             return None  # a misspelt property, which its reader reports
         return self.name_to_make()
