@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from drawing_gl import any_driver
 from test_particles import picture, quiet
 
 import evilengine as evil
@@ -41,6 +42,7 @@ def test_the_blends_of_particles_are_those_of_drawings(tmp_path: Path) -> None:
 
 
 def test_every_blend_is_the_same_in_both_renderers(tmp_path: Path) -> None:
+    any_driver()
     soft, gl = (picture(blends(renderer, tmp_path)).astype(int) for renderer in ("soft", "gl"))
     assert np.abs(soft - gl).max() <= 2
     assert len(np.unique(soft.reshape(-1, 4), axis=0)) > 100

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from drawing_gl import any_driver
 
 import evilengine as evil
 from evilengine.game import Game
@@ -50,6 +51,7 @@ def stacked(renderer: str, folder: Path, seed: int, **post: object) -> np.ndarra
 
 @pytest.mark.parametrize("seed", range(8))
 def test_blur_shafts_and_bloom_one_over_the_other_are_the_same_in_both_renderers(tmp_path: Path, seed: int) -> None:
+    any_driver()
     noise(tmp_path)
     soft, gl = (stacked(renderer, tmp_path, seed) for renderer in ("soft", "gl"))
     assert np.abs(soft - gl).max() <= 1
@@ -57,6 +59,7 @@ def test_blur_shafts_and_bloom_one_over_the_other_are_the_same_in_both_renderers
 
 @pytest.mark.parametrize("seed", range(8, 14))
 def test_steep_tones_over_a_stack_bring_no_difference_to_light(tmp_path: Path, seed: int) -> None:
+    any_driver()
     noise(tmp_path)
     steep = {"exposure": 1.6, "contrast": 1.5, "saturation": 1.4, "vignette": 0.4, "grain": 0.03}
     soft, gl = (stacked(renderer, tmp_path, seed, tone_mapping="filmic", **steep) for renderer in ("soft", "gl"))
@@ -65,7 +68,7 @@ def test_steep_tones_over_a_stack_bring_no_difference_to_light(tmp_path: Path, s
 
 
 def test_a_picture_that_is_blurred_widely_keeps_its_light(tmp_path: Path) -> None:
-    noise(tmp_path)
+    any_driver()
     for renderer in ("soft", "gl"):
         game = Game("Even", size=(WIDTH, HEIGHT), headless=True, renderer=renderer, folder=tmp_path)
         game.add_background("#13579b")

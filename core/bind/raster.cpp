@@ -120,8 +120,8 @@ void register_raster(nb::module_& module) {
              nb::arg("rows") = 0,
              "Draw into `pixels`, rows of r, g, b, a multiplied with alpha, over what is there if background is None; "
              "`instructions` forces one instruction set, `part` is the left, top, width and height drawn into, and "
-             "`rows` "
-             "is how many of them a thread takes at a time, 0 for as many as suit the frame: it changes no pixel.");
+             "`rows` is how many of them a thread takes at a time, 0 for as many as suit the frame: it changes no "
+             "pixel.");
     module.def("unpremultiply", &unpremultiply, nb::arg("pixels"),
                "Turn pixels multiplied with alpha into straight ones, in place.");
 }

@@ -65,13 +65,7 @@ private:
     Bytes in_;
     std::vector<std::uint8_t> saved_;
 
-    template <class Rows> std::optional<std::uint32_t> one_of(const Rows& rows) {
-        const std::uint32_t count = rows.slots.size();
-        if (rows.slots.count() == 0) return {};
-        std::uint32_t slot = in_.byte() % count;
-        while (!rows.slots.taken(slot)) slot = (slot + 1) % count;
-        return slot;
-    }
+    std::optional<std::uint32_t> one_of(const auto& rows) { return fuzz::one_of(rows.slots, in_); }
 
     void order() {
         switch (in_.byte() % 22) {
